@@ -1,0 +1,56 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cases/support/parameters.hpp"
+#include "cases/support/problem.hpp"
+
+namespace sphverify {
+
+/// What a case compares, and so which formulations make sense on it.
+enum class CaseKind {
+  rates,      ///< rates on given fields, no time: every scheme alone
+  conduction  ///< heat conduction on particles that stand still: conduction forms
+};
+
+/// What a case says of itself; parameters, domain, walls and initial state are its documentation.
+struct CaseInfo {
+  std::string id;
+  std::string title;
+  std::string source;    ///< citation of the reference solution
+  std::string equation;  ///< what it solves and the solution, in plain text
+  std::string domain;
+  std::string walls;
+  std::string initial;
+  CaseKind kind;
+  std::vector<ParameterSpec> parameters;
+};
+
+/// A case of the list `AllCases` behind a common face.
+struct Case {
+  CaseInfo info;
+  AnyProblem (*problem)(Parameters const&);  ///< throws std::invalid_argument for values that make no sense
+};
+
+/// All cases, in the order of the list.
+std::vector<Case> const& all_cases();
+
+/// Null if there is none of that identifier.
+Case const* find_case(std::string_view id);
+
+/// Dispatches on the `dimension` parameter: calls make.operator()<Dim>() for 1, 2 or 3.
+template <class Make>
+AnyProblem in_dimension(int dimension, Make const& make) {
+  switch (dimension) {
+    case 1: return make.template operator()<1>();
+    case 2: return make.template operator()<2>();
+    case 3: return make.template operator()<3>();
+    default:
+      throw std::invalid_argument("dimension must be 1, 2 or 3, found " + std::to_string(dimension));
+  }
+}
+
+}  // namespace sphverify

@@ -1,0 +1,19 @@
+# Installs the program, the libraries with their headers, the schemas and the ready-made studies, and exports
+# sphverify::formulations, sphverify::cases, sphverify::reports and sphverify::harness for find_package(sphverify).
+include(CMakePackageConfigHelpers)
+
+install(TARGETS sphverify_formulations sphverify_cases sphverify_reports sphverify_harness
+        EXPORT sphverify-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(TARGETS sphverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY formulations cases harness reports DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sphverify
+        FILES_MATCHING PATTERN "*.hpp")
+install(DIRECTORY cases/studies reports/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/sphverify)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sphverify)
+install(EXPORT sphverify-targets NAMESPACE sphverify:: DESTINATION ${package_dir})
+configure_package_config_file(cmake/sphverify-config.cmake.in ${PROJECT_BINARY_DIR}/sphverify-config.cmake
+                              INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/sphverify-config-version.cmake
+                                 COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/sphverify-config.cmake ${PROJECT_BINARY_DIR}/sphverify-config-version.cmake
+        DESTINATION ${package_dir})

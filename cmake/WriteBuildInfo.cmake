@@ -1,0 +1,22 @@
+# Run at every build: writes OUTPUT, a header that says what is being built, if it changed.
+find_program(GIT_PROGRAM git)
+set(commit "unknown")
+if(GIT_PROGRAM AND EXISTS "${SOURCE_DIR}/.git")
+  execute_process(COMMAND "${GIT_PROGRAM}" -C "${SOURCE_DIR}" describe --always --dirty --abbrev=12
+                  OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
+  if(NOT failed)
+    set(commit "${described}")
+  endif()
+endif()
+file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [=[
+#pragma once
+
+namespace sphverify::build {
+
+inline constexpr char const* version = "@VERSION@";
+inline constexpr char const* commit = "@commit@";
+inline constexpr char const* compiler = "@COMPILER@";
+inline constexpr char const* flags = "@FLAGS@";
+
+}  // namespace sphverify::build
+]=])

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <tuple>
+
+#include "formulations/conduction/brookshaw.hpp"
+#include "formulations/conduction/campbell_flux.hpp"
+#include "formulations/conduction/lucy_flux.hpp"
+#include "formulations/momentum/direct_gradient.hpp"
+#include "formulations/momentum/p_rho2.hpp"
+#include "formulations/momentum/sqrt_p.hpp"
+#include "formulations/work/internal_energy.hpp"
+#include "formulations/work/sqrt_p.hpp"
+#include "formulations/work/total_energy.hpp"
+
+namespace sphverify {
+
+/// The one list of schemes: the command line, the contract tests, the documentation and the reports come from it.
+using AllSchemes = std::tuple<PressureOverDensitySquared, SquareRootOfPressure, DirectGradient,  //
+                              TotalEnergyWork, InternalEnergyWork, SquareRootOfPressureWork,     //
+                              Brookshaw, LucyFlux, CampbellFlux>;
+
+}  // namespace sphverify

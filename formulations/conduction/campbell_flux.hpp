@@ -1,0 +1,46 @@
+#pragma once
+
+#include "formulations/support/scheme.hpp"
+#include "formulations/support/square.hpp"
+#include "formulations/support/vector.hpp"
+
+namespace sphverify {
+
+/// Campbell's two-pass heat conduction, parallel to momentum/p-rho2 (Campbell 1989, Eqs. 47-49, 80-81, 85-86).
+///
+///   F_i     = -K_i rho_i [ sum_j m_j (T_j/rho_j^2 + T_i/rho_i^2) grad_i W_ij + (T_B/rho_B^2 + T_i/rho_i^2) rho_B S_i ]
+///   de_i/dt = -sum_j m_j (F_j/rho_j^2 + F_i/rho_i^2) . grad_i W_ij - (F_B/rho_B^2 + F_i/rho_i^2) . S_i rho_B
+///
+/// Flux in W/m^2, heating in W/kg. Conserves energy to round-off between particles.
+struct CampbellFlux {
+  static constexpr SchemeInfo info{
+      .id = "conduction/campbell-flux",
+      .title = "Campbell's two-pass form, symmetrised as T/rho^2 and F/rho^2",
+      .source = "Campbell 1989, Eqs. 47-49, 80-81, 85-86",
+      .equation = "F_i = -K_i rho_i [ sum_j m_j (T_j/rho_j^2+T_i/rho_i^2) grad_i W_ij"
+                  " + (T_B/rho_B^2+T_i/rho_i^2) rho_B S_i ]\n"
+                  "de_i/dt = -sum_j m_j (F_j/rho_j^2+F_i/rho_i^2).grad_i W_ij - (F_B/rho_B^2+F_i/rho_i^2).S_i rho_B",
+      .remarks = "On disordered particles it has growing modes, and a uniform temperature drives spurious fluxes.",
+      .rate = Rate::conduction_heating,
+      .reads = {Field::density, Field::temperature, Field::conductivity},
+      .kernel = {KernelWeight::gradient},
+      .boundary = {BoundaryValue::temperature, BoundaryValue::flux},
+      .conserves = {Invariant::energy},
+      .two_pass = true};
+
+  static auto flux_pair(auto const& i, auto const& j, auto const& W) {
+    return (-i.K() * i.rho() * j.m() * (j.T() / square(j.rho()) + i.T() / square(i.rho())) * W.gradient()).eval();
+  }
+  static auto flux_wall(auto const& i, auto const& B) {
+    return (-i.K() * i.rho() * (B.T() / square(B.rho()) + i.T() / square(i.rho())) * B.rho() * B.S()).eval();
+  }
+
+  static auto pair(auto const& i, auto const& j, auto const& W) {
+    return -j.m() * (j.F() / square(j.rho()) + i.F() / square(i.rho())).dot(W.gradient());
+  }
+  static auto wall(auto const& i, auto const& B) {
+    return -(B.F() / square(B.rho()) + i.F() / square(i.rho())).dot(B.S()) * B.rho();
+  }
+};
+
+}  // namespace sphverify

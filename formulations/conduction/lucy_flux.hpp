@@ -1,0 +1,39 @@
+#pragma once
+
+#include "formulations/support/scheme.hpp"
+#include "formulations/support/vector.hpp"
+
+namespace sphverify {
+
+/// Lucy's two-pass heat conduction with wall terms (Lucy 1977; Campbell 1989, Eqs. 51-53 with 65).
+///
+///   F_i     = -K_i [ sum_j (m_j/rho_j) T_j grad_i W_ij + T_B S_i ]                   [W/m^2]
+///   de_i/dt = -(1/rho_i) [ sum_j (m_j/rho_j) F_j . grad_i W_ij + F_B . S_i ]         [W/kg]
+///
+/// Conserves nothing. With `walls: off` it is Lucy's original, Eq. 51.
+struct LucyFlux {
+  static constexpr SchemeInfo info{
+      .id = "conduction/lucy-flux",
+      .title = "Lucy's two-pass form with wall terms",
+      .source = "Lucy 1977; Campbell 1989, Eqs. 51-53 with 65",
+      .equation = "F_i = -K_i [ sum_j (m_j/rho_j) T_j grad_i W_ij + T_B S_i ]\n"
+                  "de_i/dt = -(1/rho_i) [ sum_j (m_j/rho_j) F_j.grad_i W_ij + F_B.S_i ]",
+      .remarks = "Not conservative: its wall term delivers about half of the flux at the wall. Sensitive to disorder.",
+      .rate = Rate::conduction_heating,
+      .reads = {Field::density, Field::temperature, Field::conductivity},
+      .kernel = {KernelWeight::gradient},
+      .boundary = {BoundaryValue::temperature, BoundaryValue::flux},
+      .two_pass = true};
+
+  static auto flux_pair(auto const& i, auto const& j, auto const& W) {
+    return (-i.K() * (j.m() / j.rho()) * j.T() * W.gradient()).eval();
+  }
+  static auto flux_wall(auto const& i, auto const& B) { return (-i.K() * B.T() * B.S()).eval(); }
+
+  static auto pair(auto const& i, auto const& j, auto const& W) {
+    return -(j.m() / j.rho()) * j.F().dot(W.gradient()) / i.rho();
+  }
+  static auto wall(auto const& i, auto const& B) { return -B.F().dot(B.S()) / i.rho(); }
+};
+
+}  // namespace sphverify

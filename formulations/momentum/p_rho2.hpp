@@ -1,0 +1,36 @@
+#pragma once
+
+#include "formulations/support/scheme.hpp"
+#include "formulations/support/square.hpp"
+#include "formulations/support/vector.hpp"
+
+namespace sphverify {
+
+/// Pressure gradient symmetrised as P/rho^2 (Campbell 1989, Eqs. 11, 68, 82).
+///
+///   a_i = -sum_j m_j (P_j/rho_j^2 + P_i/rho_i^2) grad_i W_ij - (P_B/rho_B^2 + P_i/rho_i^2) rho_B S_i   [m/s^2]
+///
+/// Conserves linear momentum to round-off between particles; walls exchange it.
+struct PressureOverDensitySquared {
+  static constexpr SchemeInfo info{
+      .id = "momentum/p-rho2",
+      .title = "Pressure gradient symmetrised as P/rho^2",
+      .source = "Campbell 1989, Eqs. 11, 68, 82",
+      .equation = "a_i = -sum_j m_j (P_j/rho_j^2 + P_i/rho_i^2) grad_i W_ij - (P_B/rho_B^2 + P_i/rho_i^2) rho_B S_i",
+      .remarks = "A uniform gas at rest is not at rest near a wall: the residual shrinks only as h/dx grows.",
+      .rate = Rate::acceleration,
+      .reads = {Field::density, Field::pressure},
+      .kernel = {KernelWeight::gradient},
+      .boundary = {BoundaryValue::pressure},
+      .conserves = {Invariant::momentum},
+      .work_partner = "work/internal-energy"};
+
+  static auto pair(auto const& i, auto const& j, auto const& W) {
+    return (-j.m() * (j.P() / square(j.rho()) + i.P() / square(i.rho())) * W.gradient()).eval();
+  }
+  static auto wall(auto const& i, auto const& B) {
+    return (-(B.P() / square(B.rho()) + i.P() / square(i.rho())) * B.rho() * B.S()).eval();
+  }
+};
+
+}  // namespace sphverify

@@ -1,0 +1,145 @@
+#include "formulations/rate_operator.hpp"
+
+#include <cmath>
+#include <string>
+#include <type_traits>
+
+#include "formulations/all.hpp"
+#include "formulations/support/sweep.hpp"
+
+namespace sphverify {
+
+namespace {
+
+void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::size_t index,
+                          std::string_view quantity, double value) {
+  if (value >= 0.0 || std::isnan(value)) return;
+  throw UndefinedRate(std::string(scheme.id) + " is undefined for negative " + std::string(quantity) + ": " +
+                      std::string(where) + " " + std::to_string(index) + " has " + std::to_string(value));
+}
+
+template <class Scheme, int Dim>
+class SchemeOperator final : public RateOperator<Dim> {
+ public:
+  using Value = std::conditional_t<Scheme::info.rate == Rate::acceleration, Vector<Dim>, double>;
+
+  SchemeInfo const& info() const override { return Scheme::info; }
+
+  void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
+                WorkCount& work) override {
+    constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
+    ++work.evaluations;
+    if constexpr (Scheme::info.two_pass) {
+      constexpr BoundaryValueSet first_pass{BoundaryValue::temperature};
+      fill(particles, geometry, first_pass, closure, time);
+      auto& flux = particles.vector(Field::flux);
+      sweep_pairs<Vector<Dim>>(geometry.neighbours, geometry.weights, particles, threads, flux,
+                               [](auto const& i, auto const& j, auto const& W) { return Scheme::flux_pair(i, j, W); });
+      for (auto const& contacts : geometry.contacts) {
+        sweep_wall<Vector<Dim>>(contacts, particles, flux,
+                                [](auto const& i, auto const& B) { return Scheme::flux_wall(i, B); });
+      }
+      count(geometry, work);
+      fill(particles, geometry, flux_only, closure, time);
+    } else {
+      fill(particles, geometry, Scheme::info.boundary, closure, time);
+      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+        if (Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) &&
+            geometry.walls[w].prescribes(BoundaryValue::flux)) {
+          fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, flux_only, closure, time);
+        }
+      }
+    }
+    check(particles, geometry);
+
+    auto const rate = [](auto const& i, auto const& j, auto const& W) { return Scheme::pair(i, j, W); };
+    auto const wall = [](auto const& i, auto const& B) { return Scheme::wall(i, B); };
+    auto& out = output(particles);
+    sweep_pairs<Value>(geometry.neighbours, geometry.weights, particles, threads, out, rate);
+    exchanged_.clear();
+    for (auto const& contacts : geometry.contacts) {
+      exchanged_.push_back(sweep_wall<Value>(contacts, particles, out, wall));
+    }
+    count(geometry, work);
+  }
+
+  std::vector<Vector<Dim>> const& wall_force() const override {
+    if constexpr (std::is_same_v<Value, Vector<Dim>>) return exchanged_;
+    else return no_force_;
+  }
+  std::vector<double> const& wall_power() const override {
+    if constexpr (std::is_same_v<Value, double>) return exchanged_;
+    else return no_power_;
+  }
+
+ private:
+  static auto& output(Particles<Dim>& particles) {
+    if constexpr (std::is_same_v<Value, double>) return particles.scalar(Field::heating);
+    else return particles.vector(Field::acceleration);
+  }
+
+  static void fill(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, BoundaryValueSet wanted,
+                   Closure closure, double time) {
+    for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, wanted, closure, time);
+    }
+  }
+
+  static void count(PairGeometry<Dim> const& geometry, WorkCount& work) {
+    work.pair_interactions += geometry.neighbours.pairs();
+    for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
+  }
+
+  static void check(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry) {
+    if constexpr (Scheme::info.non_negative.contains(Field::pressure)) {
+      auto const& pressure = particles.scalar(Field::pressure);
+      for (std::size_t i = 0; i < pressure.size(); ++i) {
+        require_non_negative(Scheme::info, "particle", i, "pressure", pressure[i]);
+      }
+      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+        for (double const value : geometry.contacts[w].pressure) {
+          require_non_negative(Scheme::info, "wall", w, "pressure", value);
+        }
+      }
+    }
+  }
+
+  std::vector<Value> exchanged_;
+  std::vector<Vector<Dim>> no_force_;
+  std::vector<double> no_power_;
+};
+
+}  // namespace
+
+std::vector<SchemeInfo const*> const& all_scheme_infos() {
+  static std::vector<SchemeInfo const*> const infos = std::apply(
+      [](auto... scheme) { return std::vector<SchemeInfo const*>{&decltype(scheme)::info...}; }, AllSchemes{});
+  return infos;
+}
+
+SchemeInfo const* find_scheme(std::string_view id) {
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (scheme->id == id) return scheme;
+  }
+  return nullptr;
+}
+
+template <int Dim>
+std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id) {
+  std::unique_ptr<RateOperator<Dim>> found;
+  std::apply(
+      [&](auto... scheme) {
+        ((decltype(scheme)::info.id == id ? void(found = std::make_unique<SchemeOperator<decltype(scheme), Dim>>())
+                                          : void()),
+         ...);
+      },
+      AllSchemes{});
+  if (!found) throw std::invalid_argument("unknown formulation '" + std::string(id) + "'");
+  return found;
+}
+
+template std::unique_ptr<RateOperator<1>> make_rate_operator<1>(std::string_view);
+template std::unique_ptr<RateOperator<2>> make_rate_operator<2>(std::string_view);
+template std::unique_ptr<RateOperator<3>> make_rate_operator<3>(std::string_view);
+
+}  // namespace sphverify

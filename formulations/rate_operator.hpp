@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string_view>
+#include <vector>
+
+#include "formulations/support/pair_geometry.hpp"
+#include "formulations/support/scheme.hpp"
+
+namespace sphverify {
+
+/// A scheme met a value for which it is not defined, such as the square root of a negative pressure.
+class UndefinedRate : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Counted work, beside the clock.
+struct WorkCount {
+  std::uint64_t evaluations = 0;        ///< of the whole rate, all its passes together
+  std::uint64_t pair_interactions = 0;  ///< directed pairs visited, summed over passes
+  std::uint64_t wall_interactions = 0;  ///< contacts visited, summed over passes
+};
+
+/// One scheme in one dimension behind a common face; the identifier is resolved once, the pair loop is compiled for
+/// the scheme. Reads `info().reads`, writes the field of its rate (and `flux`, if it has two passes).
+template <int Dim>
+class RateOperator {
+ public:
+  virtual ~RateOperator() = default;
+
+  virtual SchemeInfo const& info() const = 0;
+
+  /// Evaluates the rate of all particles at a time (which walls may depend on).
+  /// Throws UndefinedRate.
+  virtual void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
+                        int threads, WorkCount& work) = 0;
+
+  /// Sum over particles of m_i times the wall's part of the rate in the last evaluation, per wall: the power [W] of
+  /// heating and work, or the force [N] along x, y, z of an acceleration.
+  virtual std::vector<Vector<Dim>> const& wall_force() const = 0;
+  virtual std::vector<double> const& wall_power() const = 0;
+};
+
+/// The field that a rate is written to.
+constexpr Field output_field(Rate rate) { return rate == Rate::acceleration ? Field::acceleration : Field::heating; }
+
+/// All fields that a scheme needs allocated.
+constexpr FieldSet needed_fields(SchemeInfo const& scheme) {
+  FieldSet fields = scheme.reads | FieldSet{output_field(scheme.rate)};
+  if (scheme.two_pass) fields.insert(Field::flux);
+  return fields;
+}
+
+/// Descriptions of all schemes, in the order of the list.
+std::vector<SchemeInfo const*> const& all_scheme_infos();
+
+/// Null if there is none of that identifier.
+SchemeInfo const* find_scheme(std::string_view id);
+
+/// Throws std::invalid_argument for an unknown identifier.
+template <int Dim>
+std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id);
+
+}  // namespace sphverify

@@ -1,0 +1,35 @@
+#include "formulations/support/neighbours.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace sphverify {
+
+template <int Dim>
+NeighbourList find_neighbours(CellGrid<Dim> const& grid) {
+  std::size_t const n = grid.positions().size();
+  NeighbourList list;
+  list.first.reserve(n + 1);
+  list.first.push_back(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    grid.for_each_within_reach(grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+      if (j == i) return;
+      if (distance == 0.0) {
+        throw std::invalid_argument("particles " + std::to_string(std::min<std::size_t>(i, j)) + " and " +
+                                    std::to_string(std::max<std::size_t>(i, j)) + " are at the same place");
+      }
+      list.neighbour.push_back(j);
+    });
+    std::sort(list.neighbour.begin() + static_cast<std::ptrdiff_t>(list.first.back()), list.neighbour.end());
+    list.first.push_back(list.neighbour.size());
+  }
+  list.neighbour.shrink_to_fit();
+  return list;
+}
+
+template NeighbourList find_neighbours(CellGrid<1> const&);
+template NeighbourList find_neighbours(CellGrid<2> const&);
+template NeighbourList find_neighbours(CellGrid<3> const&);
+
+}  // namespace sphverify

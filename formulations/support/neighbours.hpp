@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "formulations/support/cell_grid.hpp"
+
+namespace sphverify {
+
+/// Directed neighbour pairs in compressed rows: row i lists, in ascending order, every j != i that is closer to i
+/// than the grid's reach.
+struct NeighbourList {
+  std::vector<std::size_t> first;        ///< rows + 1 offsets into `neighbour`
+  std::vector<std::uint32_t> neighbour;  ///< one entry per directed pair
+
+  std::size_t rows() const { return first.size() - 1; }
+  std::size_t pairs() const { return neighbour.size(); }
+  std::span<std::uint32_t const> row(std::size_t i) const {
+    return {neighbour.data() + first[i], first[i + 1] - first[i]};
+  }
+  std::size_t bytes() const {
+    return first.capacity() * sizeof(std::size_t) + neighbour.capacity() * sizeof(std::uint32_t);
+  }
+};
+
+/// Throws std::invalid_argument when two particles are at the same place.
+template <int Dim>
+NeighbourList find_neighbours(CellGrid<Dim> const& grid);
+
+}  // namespace sphverify

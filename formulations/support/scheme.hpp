@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string_view>
+
+#include "formulations/support/field.hpp"
+#include "formulations/support/flag_set.hpp"
+#include "formulations/support/pair_weights.hpp"
+#include "formulations/support/walls.hpp"
+
+namespace sphverify {
+
+/// What a scheme computes, and so what it is compared with.
+enum class Rate {
+  acceleration,         ///< dv/dt, a vector  [m/s^2]
+  internal_work,        ///< de/dt of compression  [W/kg]
+  total_work,           ///< d(e + v^2/2)/dt of pressure forces  [W/kg]
+  conduction_heating    ///< de/dt of heat conduction  [W/kg]
+};
+
+enum class Invariant { momentum, energy };
+using InvariantSet = FlagSet<Invariant>;
+
+/// What a scheme says of itself; everything that the program lists, describes, allocates and checks comes from here.
+struct SchemeInfo {
+  std::string_view id;
+  std::string_view title;
+  std::string_view source;    ///< citation with equation numbers
+  std::string_view equation;  ///< in plain text, one line per pass
+  std::string_view remarks;   ///< limits, and what is known of its behaviour
+  Rate rate;
+  FieldSet reads;                                ///< besides position and mass
+  KernelWeightSet kernel;                        ///< what it reads of the kernel at a pair
+  BoundaryValueSet boundary;                     ///< what it reads at a wall, prescribed or closed
+  BoundaryValueSet boundary_if_prescribed = {};  ///< what it reads only where the wall prescribes it
+  InvariantSet conserves = {};                   ///< to round-off between particles
+  FieldSet non_negative = {};                    ///< fields of which a negative value leaves the scheme undefined
+  bool two_pass = false;                         ///< has a first pass, which computes the flux
+  std::string_view work_partner = {};            ///< of a momentum form: its default energy equation
+};
+
+}  // namespace sphverify

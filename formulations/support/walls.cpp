@@ -1,0 +1,253 @@
+#include "formulations/support/walls.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/expects.hpp"
+
+namespace sphverify {
+
+template <int Dim>
+bool Wall<Dim>::prescribes(BoundaryValue value) const {
+  switch (value) {
+    case BoundaryValue::pressure: return static_cast<bool>(pressure);
+    case BoundaryValue::velocity: return static_cast<bool>(velocity);
+    case BoundaryValue::temperature: return static_cast<bool>(temperature);
+    case BoundaryValue::conductivity: return static_cast<bool>(conductivity);
+    case BoundaryValue::flux: return static_cast<bool>(flux);
+  }
+  return false;
+}
+
+template <int Dim>
+std::size_t WallContacts<Dim>::bytes() const {
+  std::size_t const doubles = distance.capacity() + face_weight.capacity() + foot_density.capacity() +
+                              pressure.capacity() + temperature.capacity() + conductivity.capacity() +
+                              interpolation_kernel.capacity() +
+                              Dim * (foot.size() + velocity.size() + flux.size());
+  return sizeof(double) * doubles +
+         sizeof(std::uint32_t) * (particle.capacity() + interpolation_neighbour.capacity()) +
+         sizeof(std::size_t) * interpolation_first.capacity();
+}
+
+template <int Dim>
+double face_weight(double d, double h, FaceWeight rule) {
+  if (rule != FaceWeight::campbell) return CubicSpline<Dim>::plane_integral(d, h);
+  if (d >= 2.0 * h) return 0.0;
+  double const squared_radius = 4.0 * h * h - d * d;  // of the disc that the support cuts out of the plane
+  double const area = Dim == 1 ? 1.0 : Dim == 2 ? 2.0 * std::sqrt(squared_radius) : std::numbers::pi * squared_radius;
+  return CubicSpline<Dim>::value(d, h) * area;
+}
+
+template <int Dim>
+double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double h, std::vector<double> const& mass) {
+  double sum = 0.0;
+  grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+    sum += mass[j] * CubicSpline<Dim>::value(distance, h);
+  });
+  return 2.0 * sum;
+}
+
+namespace {
+
+/// -n . sum_j (m_j/rho_j) grad_i W_ij: the face weight that makes a uniform state feel no force along n.
+template <int Dim>
+double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal, double h,
+                            std::vector<double> const& mass, std::vector<double> const& density) {
+  double sum = 0.0;
+  grid.for_each_within_reach(grid.positions()[i],
+                             [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
+                               if (j == i) return;
+                               sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h) *
+                                      separation.dot(normal);
+                             });
+  return sum;
+}
+
+template <int Dim>
+std::size_t walls_within_reach(std::vector<Wall<Dim>> const& walls, Vector<Dim> const& x, double reach) {
+  return static_cast<std::size_t>(std::count_if(
+      walls.begin(), walls.end(), [&](Wall<Dim> const& wall) { return wall.distance(x) < reach; }));
+}
+
+}  // namespace
+
+template <int Dim>
+WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
+                                     std::vector<Wall<Dim>> const& all_walls, double h,
+                                     std::vector<double> const& mass, std::vector<double> const& density,
+                                     FaceWeight rule) {
+  VectorField<Dim> const& positions = grid.positions();
+  WallContacts<Dim> contacts;
+  contacts.outward_normal = wall.outward_normal;
+  contacts.prescribes_flux_only =
+      wall.prescribes(BoundaryValue::flux) && !wall.prescribes(BoundaryValue::temperature);
+
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    double const d = wall.distance(positions[i]);
+    if (d <= 0.0) {
+      throw std::invalid_argument("particle " + std::to_string(i) + " lies on or outside a wall: its distance is " +
+                                  std::to_string(d) + ", expected a positive one");
+    }
+    if (d >= grid.reach()) continue;
+    contacts.particle.push_back(static_cast<std::uint32_t>(i));
+    contacts.distance.push_back(d);
+    bool const balance =
+        rule == FaceWeight::balanced && walls_within_reach(all_walls, positions[i], grid.reach()) == 1;
+    contacts.face_weight.push_back(
+        balance ? balanced_face_weight(grid, i, wall.outward_normal, h, mass, density)
+                : face_weight<Dim>(d, h, rule == FaceWeight::balanced ? FaceWeight::exact : rule));
+  }
+
+  contacts.foot = VectorField<Dim>(contacts.size());
+  contacts.interpolation_first.push_back(0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Vector<Dim> const foot = wall.foot(positions[contacts.particle[c]]);
+    contacts.foot.set(c, foot);
+    double sum = 0.0;
+    grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+      double const twice_kernel = 2.0 * CubicSpline<Dim>::value(distance, h);
+      contacts.interpolation_neighbour.push_back(j);
+      contacts.interpolation_kernel.push_back(twice_kernel);
+      sum += mass[j] * twice_kernel;
+    });
+    contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
+    contacts.foot_density.push_back(sum);
+  }
+  return contacts;
+}
+
+namespace {
+
+template <int Dim>
+void interpolate(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Field field,
+                 std::vector<double>& out) {
+  auto const& mass = particles.masses();
+  auto const& density = particles.scalar(Field::density);
+  auto const& f = particles.scalar(field);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    double sum = 0.0;
+    for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
+      std::uint32_t const j = contacts.interpolation_neighbour[k];
+      sum += mass[j] / density[j] * f[j] * contacts.interpolation_kernel[k];
+    }
+    out[c] = sum;
+  }
+}
+
+template <int Dim>
+void interpolate(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Field field,
+                 VectorField<Dim>& out) {
+  auto const& mass = particles.masses();
+  auto const& density = particles.scalar(Field::density);
+  auto const& f = particles.vector(field);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Vector<Dim> sum = Vector<Dim>::Zero();
+    for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
+      std::uint32_t const j = contacts.interpolation_neighbour[k];
+      sum += (mass[j] / density[j] * contacts.interpolation_kernel[k]) * f[j];
+    }
+    out.set(c, sum);
+  }
+}
+
+/// F_B = -K_B (T_B - T_i)/d_i n where the wall prescribes temperature only.
+template <int Dim>
+void one_sided_flux(WallContacts<Dim>& contacts, Particles<Dim> const& particles) {
+  auto const& T = particles.scalar(Field::temperature);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    double const slope = (contacts.temperature[c] - T[contacts.particle[c]]) / contacts.distance[c];
+    contacts.flux.set(c, -contacts.conductivity[c] * slope * contacts.outward_normal);
+  }
+}
+
+/// T_B = T_i - (F_B . n) d_i / K_i where the wall prescribes flux only.
+template <int Dim>
+void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                           double time) {
+  auto const& T = particles.scalar(Field::temperature);
+  auto const& K = particles.scalar(Field::conductivity);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t const i = contacts.particle[c];
+    double const outward = wall.flux(contacts.foot[c], time).dot(contacts.outward_normal);
+    // Where nothing conducts the wall is at the particle's own temperature.
+    contacts.temperature[c] = K[i] > 0.0 ? T[i] - outward * contacts.distance[c] / K[i] : T[i];
+  }
+}
+
+template <int Dim>
+void fill_scalar(WallContacts<Dim>& contacts, ScalarAtWall<Dim> const& prescribed, Particles<Dim> const& particles,
+                 Field field, std::vector<double>& out, double time) {
+  out.resize(contacts.size());
+  if (prescribed) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) out[c] = prescribed(contacts.foot[c], time);
+  } else {
+    interpolate(contacts, particles, field, out);
+  }
+}
+
+template <int Dim>
+void fill_vector(WallContacts<Dim>& contacts, VectorAtWall<Dim> const& prescribed, Particles<Dim> const& particles,
+                 Field field, VectorField<Dim>& out, double time) {
+  if (out.size() != contacts.size()) out = VectorField<Dim>(contacts.size());
+  if (prescribed) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) out.set(c, prescribed(contacts.foot[c], time));
+  } else {
+    interpolate(contacts, particles, field, out);
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                          BoundaryValueSet wanted, Closure closure, double time) {
+  bool const one_sided = closure == Closure::one_sided;
+  if (wanted.contains(BoundaryValue::pressure)) {
+    fill_scalar(contacts, wall.pressure, particles, Field::pressure, contacts.pressure, time);
+  }
+  if (wanted.contains(BoundaryValue::velocity)) {
+    fill_vector(contacts, wall.velocity, particles, Field::velocity, contacts.velocity, time);
+  }
+  if (wanted.contains(BoundaryValue::temperature)) {
+    if (one_sided && contacts.prescribes_flux_only) {
+      contacts.temperature.resize(contacts.size());
+      one_sided_temperature(contacts, wall, particles, time);
+    } else {
+      fill_scalar(contacts, wall.temperature, particles, Field::temperature, contacts.temperature, time);
+    }
+  }
+  if (wanted.contains(BoundaryValue::conductivity)) {
+    fill_scalar(contacts, wall.conductivity, particles, Field::conductivity, contacts.conductivity, time);
+  }
+  if (wanted.contains(BoundaryValue::flux)) {
+    if (one_sided && !wall.flux && wall.temperature) {
+      if (contacts.flux.size() != contacts.size()) contacts.flux = VectorField<Dim>(contacts.size());
+      fill_scalar(contacts, wall.conductivity, particles, Field::conductivity, contacts.conductivity, time);
+      one_sided_flux(contacts, particles);
+    } else {
+      fill_vector(contacts, wall.flux, particles, Field::flux, contacts.flux, time);
+    }
+  }
+}
+
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                             \
+  template struct Wall<Dim>;                                                                                   \
+  template struct WallContacts<Dim>;                                                                           \
+  template double face_weight<Dim>(double, double, FaceWeight);                                                \
+  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, double, std::vector<double> const&);  \
+  template WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const&, Wall<Dim> const&,                        \
+                                                std::vector<Wall<Dim>> const&, double,                         \
+                                                std::vector<double> const&, std::vector<double> const&,        \
+                                                FaceWeight);                                                   \
+  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,              \
+                                     BoundaryValueSet, Closure, double);
+SPHVERIFY_INSTANTIATE(1)
+SPHVERIFY_INSTANTIATE(2)
+SPHVERIFY_INSTANTIATE(3)
+#undef SPHVERIFY_INSTANTIATE
+
+}  // namespace sphverify

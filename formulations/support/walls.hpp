@@ -1,0 +1,103 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "formulations/support/cell_grid.hpp"
+#include "formulations/support/flag_set.hpp"
+#include "formulations/support/particles.hpp"
+
+namespace sphverify {
+
+/// What a scheme may ask of a wall at a particle's foot point.
+enum class BoundaryValue { pressure, velocity, temperature, conductivity, flux };
+using BoundaryValueSet = FlagSet<BoundaryValue>;
+
+/// How the surface integral A of the kernel over a wall is computed (equations.md, "face weight").
+enum class FaceWeight {
+  campbell,  ///< Eqs. 69-71: foot-point value of W times the whole intercepted area; exact in 1D only
+  exact,     ///< closed form of the integral
+  balanced   ///< -n . sum_j (m_j/rho_j) grad_i W_ij within reach of exactly one wall, elsewhere `exact`
+};
+
+/// What to use at a wall for a partner that the scene does not prescribe.
+enum class Closure {
+  interpolated,  ///< f_B = 2 sum_j (m_j/rho_j) f_j W(r_j - r_B)  (Campbell 1989, Eqs. 15, 39, 74)
+  one_sided      ///< Fourier's law between particle and foot point, for flux or temperature; ours
+};
+
+template <int Dim>
+using ScalarAtWall = std::function<double(Vector<Dim> const& foot, double time)>;
+template <int Dim>
+using VectorAtWall = std::function<Vector<Dim>(Vector<Dim> const& foot, double time)>;
+
+/// A plane wall and what it prescribes; empty functions are not prescribed. A wall that prescribes temperature
+/// prescribes conductivity too.
+template <int Dim>
+struct Wall {
+  Vector<Dim> point;           ///< any point of the plane [m]
+  Vector<Dim> outward_normal;  ///< of unit length, pointing out of the fluid
+  ScalarAtWall<Dim> pressure{};
+  VectorAtWall<Dim> velocity{};
+  ScalarAtWall<Dim> temperature{};
+  ScalarAtWall<Dim> conductivity{};
+  VectorAtWall<Dim> flux{};
+
+  /// Distance into the fluid; negative outside.
+  double distance(Vector<Dim> const& x) const { return (point - x).dot(outward_normal); }
+  Vector<Dim> foot(Vector<Dim> const& x) const { return x + distance(x) * outward_normal; }
+  bool prescribes(BoundaryValue value) const;
+};
+
+/// The particles within the kernel's support of one wall, with what depends on geometry alone, and the boundary
+/// values at their foot points. All arrays but `interpolation_*` have one entry per contact.
+template <int Dim>
+struct WallContacts {
+  Vector<Dim> outward_normal;
+  bool prescribes_flux_only = false;  ///< flux but no temperature
+
+  std::vector<std::uint32_t> particle;  ///< ascending
+  std::vector<double> distance;         ///< d_i [m]
+  std::vector<double> face_weight;      ///< A_i [1/m]
+  std::vector<double> foot_density;     ///< rho_B(i) = 2 sum_j m_j W(r_j - r_B)  (Eqs. 13, 73, 83)
+  VectorField<Dim> foot;                ///< r_B [m]
+
+  std::vector<double> pressure, temperature, conductivity;  ///< empty unless a scheme asked for them
+  VectorField<Dim> velocity, flux;
+
+  std::vector<std::size_t> interpolation_first;         ///< contacts + 1 offsets into the two below
+  std::vector<std::uint32_t> interpolation_neighbour;  ///< particles within support of the foot point
+  std::vector<double> interpolation_kernel;             ///< 2 W(r_j - r_B)
+
+  std::size_t size() const { return particle.size(); }
+  std::size_t bytes() const;
+};
+
+/// Contacts of every particle of the grid with a wall. The grid's reach is the support.
+/// @param density needed by FaceWeight::balanced only, else may be empty
+/// @param all_walls the scene's walls, for FaceWeight::balanced
+/// Throws std::invalid_argument when a particle lies on or outside the wall.
+template <int Dim>
+WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
+                                     std::vector<Wall<Dim>> const& all_walls, double smoothing_length,
+                                     std::vector<double> const& mass, std::vector<double> const& density,
+                                     FaceWeight rule);
+
+/// Density at a wall's foot point: 2 sum_j m_j W(r_j - r_B)  (Eqs. 13, 73, 83).
+template <int Dim>
+double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double smoothing_length,
+                    std::vector<double> const& mass);
+
+/// Face weight of one particle at distance d >= 0 by a rule that needs the distance only (campbell, exact). [1/m]
+template <int Dim>
+double face_weight(double d, double smoothing_length, FaceWeight rule);
+
+/// Fills the boundary values in `wanted`: what the wall prescribes at this time, else the closure's value.
+/// `flux` and `temperature` by Closure::one_sided need the other of the two, and the conductivity.
+template <int Dim>
+void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                          BoundaryValueSet wanted, Closure closure, double time);
+
+}  // namespace sphverify

@@ -1,0 +1,135 @@
+#include "harness/cli/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include "cases/support/case.hpp"
+#include "formulations/rate_operator.hpp"
+#include "harness/measure/order.hpp"
+#include "harness/study/study.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+Json field_names(FieldSet fields) {
+  Json names = Json::array();
+  for (FieldInfo const& field : field_infos) {
+    if (fields.contains(field.field)) names.push_back(fmt::format("{} [{}]", field.name, field.unit));
+  }
+  return names;
+}
+
+Json boundary_names(BoundaryValueSet values) {
+  Json names = Json::array();
+  for (auto const& [value, name] :
+       {std::pair{BoundaryValue::pressure, "pressure"}, std::pair{BoundaryValue::velocity, "velocity"},
+        std::pair{BoundaryValue::temperature, "temperature"},
+        std::pair{BoundaryValue::conductivity, "conductivity"}, std::pair{BoundaryValue::flux, "flux"}}) {
+    if (values.contains(value)) names.push_back(name);
+  }
+  return names;
+}
+
+char const* rate_name(Rate rate) {
+  switch (rate) {
+    case Rate::acceleration:
+      return "dv/dt [m/s^2]";
+    case Rate::internal_work:
+      return "de/dt of compression [W/kg]";
+    case Rate::total_work:
+      return "d(e + v^2/2)/dt of pressure forces [W/kg]";
+    case Rate::conduction_heating:
+      return "de/dt of heat conduction [W/kg]";
+  }
+  return "";
+}
+
+Json describe_scheme(SchemeInfo const& s) {
+  Json conserves = Json::array();
+  if (s.conserves.contains(Invariant::momentum))
+    conserves.push_back("momentum, to round-off between particles");
+  if (s.conserves.contains(Invariant::energy)) conserves.push_back("energy, to round-off between particles");
+  Json passes = Json::array();
+  if (s.two_pass) passes.push_back("flux");
+  passes.push_back("rate");
+  return {{"equation", s.equation},
+          {"source", s.source},
+          {"computes", rate_name(s.rate)},
+          {"reads", field_names(s.reads)},
+          {"fields", field_names(needed_fields(s))},
+          {"wall_values", boundary_names(s.boundary | s.boundary_if_prescribed)},
+          {"passes", passes},
+          {"conserves", conserves},
+          {"parameters", Json::array({"walls [on]: on, or off for the control without wall terms"})},
+          {"work_partner", s.work_partner.empty() ? Json(nullptr) : Json(s.work_partner)},
+          {"remarks", s.remarks}};
+}
+
+Json describe_case(CaseInfo const& c) {
+  Parameters const defaults(c.parameters);
+  Json parameters = Json::array();
+  for (ParameterSpec const& p : c.parameters) {
+    Json const value = parameters_json({{p.name, p.default_value}}).front();
+    parameters.push_back(
+        fmt::format("{} [{}]{}: {}", p.name, value.dump(), p.unit.empty() ? "" : " in " + p.unit, p.meaning));
+  }
+  return {{"equation", c.equation}, {"source", c.source},   {"domain", c.domain},
+          {"walls", c.walls},       {"initial", c.initial}, {"parameters", parameters}};
+}
+
+void add_words(std::vector<CatalogueEntry>& all) {
+  all.push_back({"kernels", "cubic-spline", "Cubic spline of support 2h", "Campbell 1989, Eq. 24", [] {
+                   return Json{{"equation",
+                                "W = sigma/h^D (1 - 3/2 q^2 + 3/4 q^3) for q = r/h < 1, "
+                                "sigma/h^D (2 - q)^3/4 for q < 2"},
+                               {"source", "Campbell 1989, Eq. 24; Monaghan & Lattanzio 1985"},
+                               {"parameters", Json::array({"smoothing_ratio [1.2]: h/dx"})}};
+                 }});
+  all.push_back({"layouts", "lattice", "Particles at the centres of equal cells", "", [] {
+                   return Json{{"equation", "mass = density at the centre times cell volume"},
+                               {"parameters", Json::array()}};
+                 }});
+  all.push_back({"layouts", "jittered", "Lattice with every coordinate displaced at random", "", [] {
+                   return Json{
+                       {"equation",
+                        "displacement uniform in +-amplitude dx per axis; mass = density times "
+                        "Voronoi volume in 1D, cell volume otherwise"},
+                       {"parameters", Json::array({"amplitude, in dx, below 0.5",
+                                                   "seed, or a list of seeds: replicates of each level"})}};
+                 }});
+  for (MeasureWord const& word : measure_words()) {
+    all.push_back({"measures", std::string(word.word), std::string(word.title), "", [] {
+                     return Json{{"parameters", Json::array()}};
+                   }});
+  }
+  all.push_back(
+      {"measures", "order", "observed order of convergence with its 95% interval, and the verdict", "", [] {
+         return Json{{"rules", verdict_rules}, {"parameters", Json::array()}};
+       }});
+}
+
+}  // namespace
+
+std::vector<CatalogueEntry> const& catalogue() {
+  static std::vector<CatalogueEntry> const entries = [] {
+    std::vector<CatalogueEntry> all;
+    for (SchemeInfo const* s : all_scheme_infos()) {
+      all.push_back({"formulations", std::string(s->id), std::string(s->title), std::string(s->source),
+                     [s] { return describe_scheme(*s); }});
+    }
+    for (Case const& c : all_cases()) {
+      all.push_back(
+          {"cases", c.info.id, c.info.title, c.info.source, [&c] { return describe_case(c.info); }});
+    }
+    add_words(all);
+    return all;
+  }();
+  return entries;
+}
+
+std::vector<std::string> catalogue_kinds() {
+  return {"formulations", "cases", "kernels", "layouts", "measures"};
+}
+
+}  // namespace sphverify

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace sphverify {
+
+// Exit status of the program (contract).
+inline constexpr int exit_done = 0;
+inline constexpr int exit_gate_failed = 1;
+inline constexpr int exit_user_error = 2;
+inline constexpr int exit_program_error = 3;
+
+// Each adds one command with its options to the program.
+void add_list(CLI::App& app);
+void add_describe(CLI::App& app);
+void add_study(CLI::App& app);
+void add_compare(CLI::App& app);
+void add_evaluate(CLI::App& app);
+void add_exact(CLI::App& app);
+
+}  // namespace sphverify

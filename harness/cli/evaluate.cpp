@@ -1,0 +1,27 @@
+#include "harness/evaluate/evaluate.hpp"
+
+#include <memory>
+
+#include "harness/cli/commands.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+void add_evaluate(CLI::App& app) {
+  struct EvaluateCommand {
+    std::string state;
+    std::string output = "-";
+  };
+  auto command = std::make_shared<EvaluateCommand>();
+  CLI::App* sub = app.add_subcommand("evaluate", "Rates of every scheme on particles that you give");
+  sub->add_option("STATE.json", command->state, "A state document; - for standard input")->required();
+  sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default");
+  sub->footer("Example: sphverify evaluate state.json -o rates.json");
+  sub->callback([command] {
+    require_writable(command->output);
+    Json const state = read_json_file(command->state);
+    write_document(command->output, document_text(evaluate_state(Node(state, command->state))));
+  });
+}
+
+}  // namespace sphverify

@@ -1,0 +1,164 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <memory>
+
+#include "cases/support/case.hpp"
+#include "harness/cli/commands.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct ExactCommand {
+  std::string case_id;
+  std::vector<std::string> parameters;
+  double time = 0.0;
+  std::string points;
+};
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+/// VALUE is JSON, or a bare word.
+Json parse_value(std::string const& text) {
+  Json const parsed = Json::parse(text, nullptr, false);
+  return parsed.is_discarded() ? Json(text) : parsed;
+}
+
+Parameters read_parameters(CaseInfo const& info, std::vector<std::string> const& assignments) {
+  Parameters parameters(info.parameters);
+  std::vector<std::string> names;
+  for (ParameterSpec const& spec : info.parameters) names.push_back(spec.name);
+  for (std::string const& assignment : assignments) {
+    auto const equals = assignment.find('=');
+    if (equals == std::string::npos)
+      throw UserError("exact", "--parameter", "'" + assignment + "'", "NAME=VALUE");
+    std::string const name = assignment.substr(0, equals);
+    bool known = false;
+    for (ParameterSpec const& spec : info.parameters) {
+      if (spec.name != name) continue;
+      Json const value = parse_value(assignment.substr(equals + 1));
+      parameters.set(name, read_parameter(Node(value, "exact", "--parameter " + name), spec));
+      known = true;
+    }
+    if (!known) throw UserError("exact", "--parameter", "'" + name + "'", one_of(name, names));
+  }
+  return parameters;
+}
+
+double read_coordinate(std::string_view text) {
+  double value = 0.0;
+  auto const [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw UserError("exact", "--points", "'" + std::string(text) + "'", "numbers X1,X2,... or X:Y:Z,...");
+  }
+  return value;
+}
+
+template <int Dim>
+std::vector<Vector<Dim>> read_points(std::string const& text) {
+  std::vector<Vector<Dim>> points;
+  for (std::size_t start = 0; start <= text.size();) {
+    std::size_t const end = std::min(text.find(',', start), text.size());
+    std::string_view const point = std::string_view(text).substr(start, end - start);
+    std::vector<double> coordinates;
+    for (std::size_t from = 0; from <= point.size();) {
+      std::size_t const to = std::min(point.find(':', from), point.size());
+      coordinates.push_back(read_coordinate(point.substr(from, to - from)));
+      from = to + 1;
+    }
+    if (coordinates.size() != Dim) {
+      throw UserError("exact", "--points", "'" + std::string(point) + "'",
+                      fmt::format("{} coordinates per point", Dim));
+    }
+    points.push_back(Eigen::Map<Vector<Dim> const>(coordinates.data()));
+    start = end + 1;
+  }
+  return points;
+}
+
+template <int Dim>
+Json exact_in_dimension(Problem<Dim> const& problem, double time, std::string const& text) {
+  auto const points = read_points<Dim>(text);
+  for (Vector<Dim> const& x : points) {
+    for (int k = 0; k < Dim; ++k) {
+      if (x[k] < problem.domain.lower[k] || x[k] > problem.domain.upper[k]) {
+        throw UserError("exact", "--points", fmt::format("a coordinate {:g}", x[k]),
+                        fmt::format("one in the domain, from {:g} to {:g}", problem.domain.lower[k],
+                                    problem.domain.upper[k]));
+      }
+    }
+  }
+  Json fields = Json::object();
+  for (auto const& [field, f] : problem.scalars) {
+    Json values = Json::array();
+    for (auto const& x : points) values.push_back(number(f(x, time)));
+    fields[std::string(info(field).name)] = values;
+  }
+  auto const put_vectors = [&](std::string const& name, VectorFunction<Dim> const& f) {
+    Json values = Json::array();
+    for (auto const& x : points) {
+      Json components = Json::array();
+      for (double const c : Vector<Dim>(f(x, time))) components.push_back(number(c));
+      values.push_back(components);
+    }
+    fields[name] = values;
+  };
+  for (auto const& [field, f] : problem.vectors) put_vectors(std::string(info(field).name), f);
+  if (problem.acceleration) put_vectors("acceleration", problem.acceleration);
+  if (auto const heating = problem.heating.find(Rate::conduction_heating); heating != problem.heating.end()) {
+    Json values = Json::array();
+    for (auto const& x : points) values.push_back(number(heating->second(x, time)));
+    fields["heating"] = values;
+  }
+  Json json = {{"fields", fields}};
+  for (auto const& [name, value] : problem.landmarks) json[name] = number(value(time));
+  json["accuracy"] = problem.accuracy;
+  return json;
+}
+
+void exact(ExactCommand const& command) {
+  Case const* const found = find_case(command.case_id);
+  if (found == nullptr) {
+    std::vector<std::string> ids;
+    for (Case const& one : all_cases()) ids.push_back(one.info.id);
+    throw UserError("exact", "CASE", "'" + command.case_id + "'", one_of(command.case_id, ids));
+  }
+  Parameters const parameters = read_parameters(found->info, command.parameters);
+  if (!(command.time >= 0.0) || !std::isfinite(command.time)) {
+    throw UserError("exact", "--time", fmt::format("{:g}", command.time), "a time of 0 or later");
+  }
+  Json document = {{"schema", "sphverify-exact/1"},
+                   {"case", found->info.id},
+                   {"parameters", parameters_json(parameters.all())},
+                   {"time", command.time}};
+  try {
+    AnyProblem const problem = found->problem(parameters);
+    document.update(std::visit(
+        [&](auto const& p) { return exact_in_dimension(p, command.time, command.points); }, problem));
+  } catch (std::invalid_argument const& error) {
+    throw UserError(fmt::format("exact: {}: {}", found->info.id, error.what()));
+  }
+  write_document("-", document_text(document));
+}
+
+}  // namespace
+
+void add_exact(CLI::App& app) {
+  auto command = std::make_shared<ExactCommand>();
+  CLI::App* sub = app.add_subcommand("exact", "The reference solution of a case, as JSON");
+  sub->add_option("CASE", command->case_id, "A case from `sphverify list cases`")->required();
+  sub->add_option("-p,--parameter", command->parameters,
+                  "NAME=VALUE; VALUE is JSON or a bare word; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  sub->add_option("-t,--time", command->time, "Time")->required();
+  sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions")->required();
+  sub->footer(
+      "Example: sphverify exact conduction/marshak --parameter exponent=3 --time 0.5 --points 0,0.2,0.4");
+  sub->callback([command] { exact(*command); });
+}
+
+}  // namespace sphverify

@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "harness/cli/catalogue.hpp"
+#include "harness/cli/commands.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct ListOptions {
+  std::string kind;
+  bool json = false;
+};
+
+void list(ListOptions const& options) {
+  if (options.json) {
+    Json document = {{"schema", "sphverify-list/1"}};
+    for (std::string const& kind : catalogue_kinds()) {
+      if (!options.kind.empty() && options.kind != kind) continue;
+      document[kind] = Json::array();
+      for (CatalogueEntry const& entry : catalogue()) {
+        if (entry.kind != kind) continue;
+        document[kind].push_back({{"id", entry.id}, {"title", entry.title}, {"source", entry.source}});
+      }
+    }
+    write_document("-", document_text(document));
+    return;
+  }
+  for (std::string const& kind : catalogue_kinds()) {
+    if (!options.kind.empty() && options.kind != kind) continue;
+    if (options.kind.empty()) fmt::print("{}\n", kind);
+    for (CatalogueEntry const& entry : catalogue()) {
+      if (entry.kind != kind) continue;
+      std::string const source = entry.source.empty() ? "" : fmt::format(" ({})", entry.source);
+      fmt::print("{}{:<27} {}{}\n", options.kind.empty() ? "  " : "", entry.id, entry.title, source);
+    }
+  }
+}
+
+}  // namespace
+
+void add_list(CLI::App& app) {
+  auto options = std::make_shared<ListOptions>();
+  CLI::App* command = app.add_subcommand("list", "What there is, one line each: identifier, title, source");
+  command
+      ->add_option("kind", options->kind, "formulations, cases, kernels, layouts or measures; all by default")
+      ->check(CLI::IsMember(catalogue_kinds()));
+  command->add_flag("--json", options->json, "As a JSON document");
+  command->footer("Example: sphverify list cases --json");
+  command->callback([options] { list(*options); });
+}
+
+}  // namespace sphverify

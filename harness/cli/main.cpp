@@ -1,0 +1,61 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "harness/cli/commands.hpp"
+#include "harness/run/run.hpp"
+#include "harness/study/context.hpp"
+#include "reports/user_error.hpp"
+
+namespace {
+
+int complain(int status, std::string const& message) {
+  fmt::print(stderr, "sphverify: {}\n", message);
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace sphverify;
+  CLI::App app{
+      "sphverify runs formulations of smoothed particle hydrodynamics with walls on cases that have an "
+      "exact\n"
+      "solution, and reports errors, observed orders, conservation, cost and stability as JSON."};
+  app.footer(
+      "Examples:\n"
+      "  sphverify list formulations\n"
+      "  sphverify describe conduction/brookshaw\n"
+      "  sphverify study cases/studies/conduction-walls-1d.json -o results.json\n"
+      "  sphverify compare results.json\n"
+      "Exit status: 0 done, 1 a gate failed, 2 wrong input, 3 the program or the machine failed.");
+  app.require_subcommand(1);
+  app.set_version_flag("--version", [] {
+    Context const context = current_context();
+    return fmt::format("sphverify {} ({})", context.version, context.commit);
+  });
+  add_list(app);
+  add_describe(app);
+  add_study(app);
+  add_compare(app);
+  add_evaluate(app);
+  add_exact(app);
+
+  try {
+    app.parse(argc, argv);
+    return exit_done;
+  } catch (CLI::ParseError const& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    return complain(exit_user_error, fmt::format("{} (see sphverify --help)", error.what()));
+  } catch (UserError const& error) {
+    return complain(exit_user_error, error.what());
+  } catch (Interrupted const&) {
+    return complain(exit_program_error, "interrupted; finished runs are in the journal, go on with --resume");
+  } catch (std::bad_alloc const&) {
+    return complain(exit_program_error, "out of memory");
+  } catch (std::exception const& error) {
+    return complain(exit_program_error, error.what());
+  }
+}

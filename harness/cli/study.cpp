@@ -1,0 +1,53 @@
+#include <atomic>
+#include <csignal>
+#include <memory>
+
+#include "harness/cli/commands.hpp"
+#include "harness/study/run_study.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct StudyCommand {
+  std::string document;
+  StudyOptions options;
+};
+
+std::atomic<bool> interrupted{false};
+
+/// The first signal asks the study to stop; the runs in flight notice at their next step.
+void stop_on_signals() {
+  struct sigaction action {};
+  action.sa_handler = [](int) { interrupted = true; };
+  action.sa_flags = static_cast<int>(SA_RESETHAND);  // a second one kills
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+void study(StudyCommand const& command) {
+  Json const json = read_json_file(command.document);
+  Study const read = read_study(Node(json, command.document));
+  stop_on_signals();
+  StudyOptions options = command.options;
+  options.interrupted = &interrupted;
+  run_study(read, options);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app) {
+  auto command = std::make_shared<StudyCommand>();
+  CLI::App* sub = app.add_subcommand("study", "Runs every combination of a study document");
+  sub->add_option("STUDY.json", command->document, "The study; - for standard input")->required();
+  sub->add_option("-o,--output", command->options.output, "Where the results go; standard output by default");
+  sub->add_option("-j,--jobs", command->options.jobs, "Runs at a time; by default one per core")
+      ->check(CLI::Range(1, 1 << 16));
+  sub->add_flag("--resume", command->options.resume, "Take up the journal that an interrupted study left");
+  sub->footer(
+      "Finished runs are kept in RESULTS.json.journal until the results are written.\n"
+      "Example: sphverify study cases/studies/conduction-walls-1d.json -o results.json");
+  sub->callback([command] { study(*command); });
+}
+
+}  // namespace sphverify

@@ -1,0 +1,123 @@
+#include "harness/evaluate/evaluate.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "formulations/rate_operator.hpp"
+#include "formulations/support/cubic_spline.hpp"
+#include "harness/evaluate/state.hpp"
+
+namespace sphverify {
+
+namespace {
+
+template <int Dim>
+Json list(VectorField<Dim> const& field) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    Vector<Dim> const v = field[i];
+    rows.push_back(std::vector<double>(v.begin(), v.end()));
+  }
+  return rows;
+}
+
+template <int Dim>
+Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<Dim>& geometry,
+              Closure closure) {
+  auto const rate = make_rate_operator<Dim>(scheme.id);
+  particles.allocate(needed_fields(scheme));
+  std::string const output(info(output_field(scheme.rate)).name);
+  WorkCount work;
+  try {
+    rate->evaluate(particles, geometry, closure, 0.0, 1, work);
+  } catch (UndefinedRate const& error) {
+    return {{output, nullptr}, {"reason", error.what()}};
+  }
+  Json json;
+  if (scheme.rate == Rate::acceleration) {
+    json[output] = list(particles.vector(Field::acceleration));
+  } else {
+    json[output] = particles.scalar(Field::heating);
+  }
+  if (scheme.two_pass) json["flux"] = list(particles.vector(Field::flux));
+  return json;
+}
+
+/// A wall value can be had if the wall prescribes it or the particles carry what it is interpolated from.
+template <int Dim>
+bool can_evaluate(SchemeInfo const& scheme, State<Dim> const& state) {
+  for (FieldInfo const& field : field_infos) {
+    if (scheme.reads.contains(field.field) && !state.particles.has(field.field)) return false;
+  }
+  return true;
+}
+
+template <int Dim>
+Json evaluate_in_dimension(Node const& document) {
+  State<Dim> state = read_state<Dim>(document);
+  Particles<Dim>& particles = state.particles;
+  double const h = particles.smoothing_length();
+  double const support = CubicSpline<Dim>::support_ratio * h;
+  PairGeometry<Dim> geometry;
+  Json walls = Json::array();
+  try {
+    CellGrid<Dim> const grid(particles.positions(), state.domain, support);
+    geometry.neighbours = find_neighbours(grid);
+    geometry.weights = evaluate_kernel(geometry.neighbours, particles.positions(), state.domain, h,
+                                       {KernelWeight::gradient, KernelWeight::radial});
+    auto& density = particles.scalar(Field::density);
+    if (state.density_rule != DensityRule::given) density = summation_density(grid, h, particles.masses());
+    if (state.density_rule == DensityRule::normalised) {
+      for (std::size_t i = 0; i < density.size(); ++i) {
+        density[i] /= kernel_inside(particles.positions()[i], state.walls, h);
+      }
+    }
+    geometry.walls = state.walls;
+    for (Wall<Dim> const& wall : state.walls) {
+      geometry.contacts.push_back(
+          find_wall_contacts(grid, wall, state.walls, h, particles.masses(), density, state.face_weight));
+      WallContacts<Dim> const& contacts = geometry.contacts.back();
+      std::vector<double> at_foot(particles.size()), weight(particles.size(), 0.0);
+      for (std::size_t i = 0; i < particles.size(); ++i) {
+        at_foot[i] = foot_density(grid, wall.foot(particles.positions()[i]), h, particles.masses());
+      }
+      for (std::size_t c = 0; c < contacts.size(); ++c)
+        weight[contacts.particle[c]] = contacts.face_weight[c];
+      walls.push_back({{"density_at_foot", at_foot}, {"face_weight", weight}});
+    }
+  } catch (std::invalid_argument const& error) {
+    throw UserError(fmt::format("{}: particles.position: {}", document.file(), error.what()));
+  }
+
+  Json rates = Json::object();
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (!can_evaluate(*scheme, state)) continue;
+    rates[std::string(scheme->id)] = rates_of(*scheme, particles, geometry, state.closure);
+  }
+  geometry.contacts.clear();
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (!can_evaluate(*scheme, state)) continue;
+    rates[std::string(scheme->id) + "-no-walls"] = rates_of(*scheme, particles, geometry, state.closure);
+  }
+  return {{"schema", "sphverify-rates/1"},
+          {"density", particles.scalar(Field::density)},
+          {"walls", walls},
+          {"rates", rates}};
+}
+
+}  // namespace
+
+Json evaluate_state(Node const& state) {
+  state.require_schema("sphverify-state/1");
+  switch (state.at("dimension").integer(1, 3)) {
+    case 1:
+      return evaluate_in_dimension<1>(state);
+    case 2:
+      return evaluate_in_dimension<2>(state);
+    default:
+      return evaluate_in_dimension<3>(state);
+  }
+}
+
+}  // namespace sphverify

@@ -1,0 +1,143 @@
+#include "harness/evaluate/state.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "harness/scene/choices.hpp"
+
+namespace sphverify {
+
+namespace {
+
+template <int Dim>
+Vector<Dim> read_vector(Node const& node) {
+  std::vector<double> const values = node.numbers();
+  if (values.size() != Dim) node.complain(fmt::format("a list of {} numbers", Dim));
+  return Eigen::Map<Vector<Dim> const>(values.data());
+}
+
+void require_length(Node const& node, std::size_t count) {
+  if (!node.is_array() || node.json().size() != count) {
+    std::string const found =
+        node.is_array() ? fmt::format("a list of {}", node.json().size()) : node.json().dump();
+    throw UserError(node.file(), node.key(), found, fmt::format("a list of {}, one per position", count));
+  }
+}
+
+template <int Dim>
+void read_field(Node const& particles_node, FieldInfo const& field, Particles<Dim>& particles) {
+  auto const node = particles_node.find(std::string(field.name));
+  if (!node) return;
+  require_length(*node, particles.size());
+  particles.allocate(field.field);
+  auto const elements = node->elements();
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (field.is_vector) {
+      particles.vector(field.field).set(i, read_vector<Dim>(elements[i]));
+    } else if (field.field == Field::mass || field.field == Field::density) {
+      particles.scalar(field.field)[i] = elements[i].positive_number();
+    } else {
+      particles.scalar(field.field)[i] = elements[i].number();
+    }
+  }
+}
+
+template <int Dim>
+Wall<Dim> read_wall(Node const& node) {
+  node.require_keys(
+      {"point", "outward_normal", "pressure", "velocity", "temperature", "conductivity", "flux"});
+  Wall<Dim> wall;
+  wall.point = read_vector<Dim>(node.at("point"));
+  wall.outward_normal = read_vector<Dim>(node.at("outward_normal"));
+  double const length = wall.outward_normal.norm();
+  if (std::abs(length - 1.0) > 1e-6) node.at("outward_normal").complain("a vector of unit length");
+  wall.outward_normal /= length;
+  auto const scalar = [&](char const* key) -> ScalarAtWall<Dim> {
+    auto const found = node.find(key);
+    if (!found) return {};
+    return [value = found->number()](Vector<Dim> const&, double) { return value; };
+  };
+  auto const vector = [&](char const* key) -> VectorAtWall<Dim> {
+    auto const found = node.find(key);
+    if (!found) return {};
+    return [value = read_vector<Dim>(*found)](Vector<Dim> const&, double) { return value; };
+  };
+  wall.pressure = scalar("pressure");
+  wall.temperature = scalar("temperature");
+  wall.conductivity = scalar("conductivity");
+  wall.velocity = vector("velocity");
+  wall.flux = vector("flux");
+  if (wall.temperature && !wall.conductivity) node.at("conductivity");  // complains of its absence
+  return wall;
+}
+
+/// [[lower, upper] or null, ...], one per axis.
+template <int Dim>
+void read_periodic(Node const& node, Domain<Dim>& domain) {
+  auto const axes = node.elements();
+  if (axes.size() != Dim) node.complain(fmt::format("a list of {}, one per axis", Dim));
+  for (int k = 0; k < Dim; ++k) {
+    if (axes[k].is_null()) continue;
+    auto const ends = axes[k].numbers();
+    if (ends.size() != 2 || !(ends[1] > ends[0])) axes[k].complain("[lower, upper] or null");
+    domain.periodic[k] = true;
+    domain.lower[k] = ends[0];
+    domain.upper[k] = ends[1];
+  }
+}
+
+}  // namespace
+
+template <int Dim>
+State<Dim> read_state(Node const& document) {
+  document.require_keys(
+      {"schema", "dimension", "kernel", "face_weight", "closure", "periodic", "particles", "walls"});
+  if (auto const kernel = document.find("kernel")) kernel->word({"cubic-spline"});
+
+  Node const node = document.at("particles");
+  std::vector<std::string> keys{"smoothing_length"};
+  for (FieldInfo const& field : field_infos) {
+    if (field.field != Field::acceleration && field.field != Field::heating && field.field != Field::flux) {
+      keys.emplace_back(field.name);
+    }
+  }
+  node.require_keys(keys);
+  std::size_t const count = node.at("position").elements().size();
+  if (count == 0) node.at("position").complain("at least one particle");
+
+  State<Dim> state{Particles<Dim>(count, node.at("smoothing_length").positive_number()),
+                   {Vector<Dim>::Zero(), Vector<Dim>::Zero(), {}},
+                   {},
+                   DensityRule::given,
+                   FaceWeight::exact,
+                   Closure::interpolated};
+  node.at("mass");
+  Node const density = node.at("density");
+  for (FieldInfo const& field : field_infos) {
+    if (field.field != Field::density) read_field(node, field, state.particles);
+  }
+  state.particles.allocate(Field::density);
+  if (density.is_string()) {
+    state.density_rule = density_words.value(density.word({"summation", "normalised"}));
+  } else {
+    read_field(node, info(Field::density), state.particles);
+  }
+  if (auto const rule = document.find("face_weight")) {
+    state.face_weight = face_weight_words.value(rule->word(face_weight_words.all()));
+  }
+  if (auto const closure = document.find("closure")) {
+    state.closure = closure_words.value(closure->word(closure_words.all()));
+  }
+  if (auto const periodic = document.find("periodic")) read_periodic(*periodic, state.domain);
+  if (auto const walls = document.find("walls")) {
+    for (Node const& wall : walls->elements()) state.walls.push_back(read_wall<Dim>(wall));
+  }
+  return state;
+}
+
+template State<1> read_state<1>(Node const&);
+template State<2> read_state<2>(Node const&);
+template State<3> read_state<3>(Node const&);
+
+}  // namespace sphverify

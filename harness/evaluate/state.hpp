@@ -1,0 +1,25 @@
+#pragma once
+
+#include "formulations/support/density.hpp"
+#include "formulations/support/particles.hpp"
+#include "formulations/support/walls.hpp"
+#include "reports/json/node.hpp"
+
+namespace sphverify {
+
+/// Particles and walls that a user gives (sphverify-state/1).
+template <int Dim>
+struct State {
+  Particles<Dim> particles;
+  Domain<Dim> domain;  ///< the particles' bounding box, or what the state says of periodic axes
+  std::vector<Wall<Dim>> walls;
+  DensityRule density_rule;  ///< `given` where the state lists densities
+  FaceWeight face_weight;
+  Closure closure;
+};
+
+/// Throws UserError.
+template <int Dim>
+State<Dim> read_state(Node const& document);
+
+}  // namespace sphverify

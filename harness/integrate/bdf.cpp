@@ -1,0 +1,99 @@
+#include <cvodes/cvodes.h>
+#include <sunlinsol/sunlinsol_klu.h>
+#include <sunmatrix/sunmatrix_sparse.h>
+
+#include <algorithm>
+
+#include "harness/integrate/ode.hpp"
+#include "harness/integrate/sundials_handles.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct DestroyCvode {
+  void operator()(void* memory) const { CVodeFree(&memory); }
+};
+
+int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
+  return CallbackData::guarded(user, [&](OdeSystem const& system) {
+    system.rate(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
+  });
+}
+
+int quadrature(realtype t, N_Vector y, N_Vector dqdt, void* user) {
+  return CallbackData::guarded(user, [&](OdeSystem const& system) {
+    system.quadrature(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dqdt));
+  });
+}
+
+int jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix matrix, void* user, N_Vector, N_Vector, N_Vector) {
+  return CallbackData::guarded(user, [&](OdeSystem const& system) {
+    DependencyPattern const& pattern = system.jacobian->pattern();
+    std::vector<double> const& values = system.jacobian->evaluate(t, N_VGetArrayPointer(y));
+    SUNMatZero(matrix);
+    std::copy(pattern.first.begin(), pattern.first.end(), SUNSparseMatrix_IndexPointers(matrix));
+    std::copy(pattern.column.begin(), pattern.column.end(), SUNSparseMatrix_IndexValues(matrix));
+    std::copy(values.begin(), values.end(), SUNSparseMatrix_Data(matrix));
+  });
+}
+
+}  // namespace
+
+OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double final_time,
+                        Tolerances tolerances) {
+  SundialsContext const context;
+  CallbackData data{system};
+  OdeResult result;
+  result.quadratures.assign(system.quadratures, 0.0);
+  VectorHandle const state = wrap(system.size, y.data(), context);
+  VectorHandle const integrals = wrap(system.quadratures, result.quadratures.data(), context);
+
+  std::unique_ptr<void, DestroyCvode> const solver(CVodeCreate(CV_BDF, context));
+  if (!solver) throw std::bad_alloc();
+  void* const cvode = solver.get();
+  require_sundials(CVodeInit(cvode, rate, 0.0, state.get()), "CVodeInit");
+  require_sundials(CVodeSetUserData(cvode, &data), "CVodeSetUserData");
+  require_sundials(CVodeSStolerances(cvode, tolerances.relative, tolerances.absolute), "CVodeSStolerances");
+  require_sundials(CVodeSetStopTime(cvode, final_time), "CVodeSetStopTime");
+  require_sundials(CVodeSetErrHandlerFn(
+                       cvode, [](int, char const*, char const*, char*, void*) {}, nullptr),
+                   "CVodeSetErrHandlerFn");
+  // The invariants that the conservation measure checks hold as well as the Newton iteration converges.
+  require_sundials(CVodeSetNonlinConvCoef(cvode, 0.01), "CVodeSetNonlinConvCoef");
+
+  auto const n = static_cast<sunindextype>(system.size);
+  auto const nonzeros = static_cast<sunindextype>(system.jacobian->pattern().column.size());
+  MatrixHandle const matrix(SUNSparseMatrix(n, n, nonzeros, CSR_MAT, context));
+  SolverHandle const linear(SUNLinSol_KLU(state.get(), matrix.get(), context));
+  if (!matrix || !linear) throw std::bad_alloc();
+  require_sundials(CVodeSetLinearSolver(cvode, linear.get(), matrix.get()), "CVodeSetLinearSolver");
+  require_sundials(CVodeSetJacFn(cvode, jacobian), "CVodeSetJacFn");
+  if (system.quadratures > 0)
+    require_sundials(CVodeQuadInit(cvode, quadrature, integrals.get()), "CVodeQuadInit");
+
+  while (result.time < final_time) {
+    int const flag = CVode(cvode, final_time, state.get(), &result.time, CV_ONE_STEP);
+    data.rethrow();
+    if (flag < 0) {
+      std::unique_ptr<char, decltype(&std::free)> const name(CVodeGetReturnFlagName(flag), &std::free);
+      result.outcome = OdeOutcome::failed;
+      result.reason = std::string("the implicit integrator gave up (") + name.get() + ")";
+      break;
+    }
+    ++result.steps;
+    if (system.quadratures > 0) {
+      realtype at = result.time;
+      require_sundials(CVodeGetQuad(cvode, &at, integrals.get()), "CVodeGetQuad");
+    }
+    result.reason = system.monitor ? system.monitor(result.time, y.data(), result.quadratures.data()) : "";
+    if (!result.reason.empty()) {
+      result.outcome = OdeOutcome::stopped;
+      break;
+    }
+  }
+  result.y = std::move(y);
+  return result;
+}
+
+}  // namespace sphverify

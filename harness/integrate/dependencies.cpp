@@ -1,0 +1,59 @@
+#include "harness/integrate/dependencies.hpp"
+
+#include <algorithm>
+
+namespace sphverify {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::int64_t>>;
+
+void make_set(std::vector<std::int64_t>& row) {
+  std::sort(row.begin(), row.end());
+  row.erase(std::unique(row.begin(), row.end()), row.end());
+}
+
+template <int Dim>
+Rows one_pass(PairGeometry<Dim> const& geometry) {
+  Rows rows(geometry.neighbours.rows());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    auto const neighbours = geometry.neighbours.row(i);
+    rows[i].assign(neighbours.begin(), neighbours.end());
+    rows[i].push_back(static_cast<std::int64_t>(i));
+  }
+  for (WallContacts<Dim> const& contacts : geometry.contacts) {
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      auto& row = rows[contacts.particle[c]];
+      for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
+        row.push_back(contacts.interpolation_neighbour[k]);
+      }
+    }
+  }
+  for (auto& row : rows) make_set(row);
+  return rows;
+}
+
+}  // namespace
+
+template <int Dim>
+DependencyPattern dependencies(PairGeometry<Dim> const& geometry, bool two_pass) {
+  Rows const direct = one_pass(geometry);
+  DependencyPattern pattern;
+  pattern.first.push_back(0);
+  for (auto const& row : direct) {
+    std::vector<std::int64_t> reached = row;
+    if (two_pass) {
+      for (std::int64_t const j : row) reached.insert(reached.end(), direct[j].begin(), direct[j].end());
+      make_set(reached);
+    }
+    pattern.column.insert(pattern.column.end(), reached.begin(), reached.end());
+    pattern.first.push_back(static_cast<std::int64_t>(pattern.column.size()));
+  }
+  return pattern;
+}
+
+template DependencyPattern dependencies(PairGeometry<1> const&, bool);
+template DependencyPattern dependencies(PairGeometry<2> const&, bool);
+template DependencyPattern dependencies(PairGeometry<3> const&, bool);
+
+}  // namespace sphverify

@@ -1,0 +1,67 @@
+#include <arkode/arkode_erkstep.h>
+
+#include "harness/integrate/ode.hpp"
+#include "harness/integrate/sundials_handles.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct DestroyErk {
+  void operator()(void* memory) const { ERKStepFree(&memory); }
+};
+
+/// Quadratures follow the unknowns in one vector; nothing depends on them.
+int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
+  return CallbackData::guarded(user, [&](OdeSystem const& system) {
+    double const* const values = N_VGetArrayPointer(y);
+    double* const out = N_VGetArrayPointer(dydt);
+    system.rate(t, values, out);
+    if (system.quadratures > 0) system.quadrature(t, values, out + system.size);
+  });
+}
+
+}  // namespace
+
+OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time,
+                                Tolerances tolerances) {
+  SundialsContext const context;
+  CallbackData data{system};
+  OdeResult result;
+  y.resize(system.size + system.quadratures, 0.0);
+  VectorHandle const state = wrap(y.size(), y.data(), context);
+
+  std::unique_ptr<void, DestroyErk> const solver(ERKStepCreate(rate, 0.0, state.get(), context));
+  if (!solver) throw std::bad_alloc();
+  void* const erk = solver.get();
+  require_sundials(ERKStepSetUserData(erk, &data), "ERKStepSetUserData");
+  require_sundials(ERKStepSetTableNum(erk, ARKODE_DORMAND_PRINCE_7_4_5), "ERKStepSetTableNum");
+  require_sundials(ERKStepSStolerances(erk, tolerances.relative, tolerances.absolute), "ERKStepSStolerances");
+  require_sundials(ERKStepSetStopTime(erk, final_time), "ERKStepSetStopTime");
+  require_sundials(ERKStepSetErrHandlerFn(
+                       erk, [](int, char const*, char const*, char*, void*) {}, nullptr),
+                   "ERKStepSetErrHandlerFn");
+
+  while (result.time < final_time) {
+    int const flag = ERKStepEvolve(erk, final_time, state.get(), &result.time, ARK_ONE_STEP);
+    data.rethrow();
+    if (flag < 0) {
+      std::unique_ptr<char, decltype(&std::free)> const name(ERKStepGetReturnFlagName(flag), &std::free);
+      result.outcome = OdeOutcome::failed;
+      result.reason = std::string("the explicit integrator gave up (") + name.get() + ")";
+      break;
+    }
+    ++result.steps;
+    result.reason = system.monitor ? system.monitor(result.time, y.data(), y.data() + system.size) : "";
+    if (!result.reason.empty()) {
+      result.outcome = OdeOutcome::stopped;
+      break;
+    }
+  }
+  result.quadratures.assign(y.begin() + static_cast<std::ptrdiff_t>(system.size), y.end());
+  y.resize(system.size);
+  result.y = std::move(y);
+  return result;
+}
+
+}  // namespace sphverify

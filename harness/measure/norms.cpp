@@ -1,0 +1,79 @@
+#include "harness/measure/norms.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/expects.hpp"
+
+namespace sphverify {
+
+NormSet norms(std::span<double const> values, std::span<double const> weights) {
+  expects(values.size() == weights.size());
+  double total = 0.0;
+  for (double const w : weights) total += w;
+  expects(total > 0.0);
+  NormSet norm;
+  for (double const value : values) norm.linf = std::max(norm.linf, std::abs(value));
+  if (norm.linf == 0.0) return norm;
+  // Relative to the largest value, so that squares neither overflow nor vanish.
+  double squares = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    double const ratio = std::abs(values[i]) / norm.linf;
+    double const w = weights[i] / total;
+    norm.l1 += w * ratio;
+    squares += w * ratio * ratio;
+  }
+  // Round-off must not put l1 above l2, nor l2 above linf.
+  norm.l2 = norm.linf * std::min(1.0, std::sqrt(squares));
+  norm.l1 = std::min(norm.linf * norm.l1, norm.l2);
+  return norm;
+}
+
+template <int Dim>
+std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls) {
+  double const support = CubicSpline<Dim>::support_ratio * particles.smoothing_length();
+  Region all{"all", {}}, wall{"wall", {}}, interior{"interior", {}};
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (Wall<Dim> const& one : walls) nearest = std::min(nearest, one.distance(particles.positions()[i]));
+    all.particles.push_back(i);
+    if (nearest < support) wall.particles.push_back(i);
+    if (nearest > 2.0 * support) interior.particles.push_back(i);
+  }
+  std::vector<Region> found;
+  for (Region& region : {std::ref(all), std::ref(wall), std::ref(interior)}) {
+    if (!region.particles.empty()) found.push_back(std::move(region));
+  }
+  return found;
+}
+
+FieldErrors field_errors(std::vector<std::span<double const>> const& computed,
+                         std::vector<std::span<double const>> const& exact, std::span<double const> weights,
+                         std::vector<Region> const& regions, double round_off) {
+  expects(computed.size() == exact.size() && !computed.empty());
+  FieldErrors errors;
+  for (Region const& region : regions) {
+    std::vector<double> difference, size, weight;
+    for (std::size_t const i : region.particles) {
+      double length_of_difference = 0.0;
+      double length_of_exact = 0.0;
+      for (std::size_t k = 0; k < computed.size(); ++k) {
+        length_of_difference = std::hypot(length_of_difference, computed[k][i] - exact[k][i]);
+        length_of_exact = std::hypot(length_of_exact, exact[k][i]);
+      }
+      difference.push_back(length_of_difference);
+      size.push_back(length_of_exact);
+      weight.push_back(weights[i]);
+    }
+    errors[region.name] = {norms(difference, weight), norms(size, weight), round_off};
+  }
+  return errors;
+}
+
+template std::vector<Region> regions(Particles<1> const&, std::vector<Wall<1>> const&);
+template std::vector<Region> regions(Particles<2> const&, std::vector<Wall<2>> const&);
+template std::vector<Region> regions(Particles<3> const&, std::vector<Wall<3>> const&);
+
+}  // namespace sphverify

@@ -1,0 +1,134 @@
+#include "harness/measure/order.hpp"
+
+#include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace sphverify {
+
+std::string_view const verdict_rules =
+    R"(order      slope of log(mean error) over log(spacing), least squares on the true spacings
+interval   95%, Student's t on the fit's residuals; with several seeds also from their spread: the wider one
+           is given. Two levels give an order without an interval.
+left out   levels whose error is at the run's `round_off`: they say nothing of the order
+not-refined    fewer than three spacings, or an error that does not change at all (below 1 part in 1e6)
+diverging      a run of the finest level failed, or the last step of refinement raised the error (order < -0.25)
+floored        the last step changed the error little (order between -0.25 and 0.25), or reached round-off
+asymptotic     the last two pairwise orders agree within 0.3, and the interval excludes 0
+pre-asymptotic anything else)";
+
+namespace {
+
+constexpr double plateau_order = 0.25;
+constexpr double agreement = 0.3;
+constexpr double unchanged = 1e-6;
+
+struct Point {
+  double log_spacing;
+  double log_error;
+  double variance;  ///< of log_error, from the replicates; NaN where there are none
+  std::size_t replicates;
+};
+
+double mean(std::vector<double> const& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+Point point_of(LadderLevel const& level) {
+  double const average = mean(level.errors);
+  std::size_t const n = level.errors.size();
+  double variance = std::numeric_limits<double>::quiet_NaN();
+  if (n > 1) {
+    double sum = 0.0;
+    for (double const e : level.errors) sum += (e - average) * (e - average);
+    // Of the mean, carried over to its logarithm.
+    variance = sum / static_cast<double>(n - 1) / static_cast<double>(n) / (average * average);
+  }
+  return {std::log(level.spacing), std::log(average), variance, n};
+}
+
+double student_quantile(double degrees_of_freedom) { return gsl_cdf_tdist_Pinv(0.975, degrees_of_freedom); }
+
+/// Half width of the slope's 95% interval from the replicates' spread; 0 where no level has replicates.
+double spread_half_width(std::vector<Point> const& points, double mean_x, double sum_xx) {
+  double variance = 0.0;
+  double degrees = 0.0;
+  for (Point const& p : points) {
+    if (std::isnan(p.variance)) continue;
+    double const weight = (p.log_spacing - mean_x) / sum_xx;
+    variance += weight * weight * p.variance;
+    degrees += static_cast<double>(p.replicates - 1);
+  }
+  return degrees > 0.0 ? student_quantile(degrees) * std::sqrt(variance) : 0.0;
+}
+
+void fit(std::vector<Point> const& points, ObservedOrder& observed) {
+  std::vector<double> x, y;
+  for (Point const& p : points) {
+    x.push_back(p.log_spacing);
+    y.push_back(p.log_error);
+  }
+  double intercept, slope, cov00, cov01, cov11, residual;
+  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &cov00, &cov01, &cov11, &residual);
+  observed.order = slope;
+  if (points.size() < 3) return;
+  double const mean_x = mean(x);
+  double sum_xx = 0.0;
+  for (double const value : x) sum_xx += (value - mean_x) * (value - mean_x);
+  double const degrees = static_cast<double>(points.size() - 2);
+  double const half_width =
+      std::max(student_quantile(degrees) * std::sqrt(cov11), spread_half_width(points, mean_x, sum_xx));
+  observed.lower = slope - half_width;
+  observed.upper = slope + half_width;
+}
+
+void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& points,
+           ObservedOrder& observed) {
+  auto const say = [&](char const* verdict, char const* reason) {
+    observed.verdict = verdict;
+    observed.reason = reason;
+  };
+  if (!levels.empty() && levels.back().errors.empty())
+    return say("diverging", "the finest level has no error");
+  if (levels.size() < 3) return say("not-refined", "fewer than three spacings");
+  bool const ends_at_round_off = mean(levels.back().errors) <= levels.back().round_off;
+  if (ends_at_round_off) return say("floored", "the error reached round-off");
+  if (points.size() < 3)
+    return say("pre-asymptotic", "fewer than three levels have an error above round-off");
+  auto const [low, high] = std::minmax_element(
+      points.begin(), points.end(), [](Point const& a, Point const& b) { return a.log_error < b.log_error; });
+  if (high->log_error - low->log_error < unchanged)
+    return say("not-refined", "refinement changes nothing at all");
+  double const last = observed.pairwise.back().value();
+  double const before = observed.pairwise[observed.pairwise.size() - 2].value();
+  if (last < -plateau_order) return say("diverging", "the last refinement raised the error");
+  if (last < plateau_order) return say("floored", "the last refinement changed the error little");
+  if (std::abs(last - before) <= agreement && observed.lower.value_or(0.0) > 0.0) {
+    return say("asymptotic", "the last pairwise orders agree");
+  }
+  return say("pre-asymptotic", "the pairwise orders still change, or the interval includes 0");
+}
+
+}  // namespace
+
+ObservedOrder observed_order(std::vector<LadderLevel> const& levels) {
+  ObservedOrder observed;
+  std::vector<Point> points;
+  for (LadderLevel const& level : levels) {
+    if (level.errors.empty() || mean(level.errors) <= level.round_off) continue;
+    points.push_back(point_of(level));
+  }
+  for (std::size_t k = 1; k < points.size(); ++k) {
+    observed.pairwise.push_back((points[k].log_error - points[k - 1].log_error) /
+                                (points[k].log_spacing - points[k - 1].log_spacing));
+  }
+  if (points.size() >= 2) fit(points, observed);
+  judge(levels, points, observed);
+  return observed;
+}
+
+}  // namespace sphverify

@@ -1,0 +1,175 @@
+#include "harness/measure/series.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <set>
+#include <tuple>
+
+#include "harness/measure/order.hpp"
+
+namespace sphverify {
+
+namespace {
+
+constexpr std::array<double, 3> relative_targets{0.1, 0.01, 0.001};
+
+struct NormChoice {
+  char const* name;
+  double NormSet::*norm;
+};
+constexpr std::array<NormChoice, 3> norm_choices{
+    {{"l1", &NormSet::l1}, {"l2", &NormSet::l2}, {"linf", &NormSet::linf}}};
+
+Discretisation without_seed(Discretisation d) {
+  d.layout.seed = 0;
+  return d;
+}
+
+bool same_ladder(Series const& series, RunRecord const& run) {
+  return series.case_id == run.case_id && series.parameters == run.parameters &&
+         series.formulation == run.formulation &&
+         without_seed(series.discretisation) == without_seed(run.discretisation) &&
+         series.smoothing_exponent == run.smoothing_exponent;
+}
+
+/// Runs of one series, by level from coarse to fine.
+using Levels = std::vector<std::vector<RunRecord const*>>;
+
+Levels levels_of(Series const& series, std::vector<RunRecord> const& runs) {
+  std::map<int, std::vector<RunRecord const*>> by_resolution;
+  for (std::size_t const index : series.runs) by_resolution[runs[index].resolution].push_back(&runs[index]);
+  Levels levels;
+  for (auto& [resolution, members] : by_resolution) levels.push_back(std::move(members));
+  return levels;
+}
+
+RegionError const* find_error(RunRecord const& run, std::string const& field, std::string const& region) {
+  auto const f = run.errors.find(field);
+  if (f == run.errors.end()) return nullptr;
+  auto const r = f->second.find(region);
+  return r == f->second.end() ? nullptr : &r->second;
+}
+
+Number mean_seconds(std::vector<RunRecord const*> const& level) {
+  double sum = 0.0;
+  for (RunRecord const* run : level) {
+    if (!run->cost) return std::nullopt;
+    sum += run->cost->seconds;
+  }
+  return sum / static_cast<double>(level.size());
+}
+
+Number standard_deviation(std::vector<double> const& values) {
+  if (values.size() < 2) return std::nullopt;
+  double const n = static_cast<double>(values.size());
+  double const mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  double sum = 0.0;
+  for (double const v : values) sum += (v - mean) * (v - mean);
+  return std::sqrt(sum / (n - 1.0));
+}
+
+OrderEntry measure_order(Levels const& levels, std::string const& field, std::string const& region,
+                         NormChoice const& norm) {
+  OrderEntry entry{field, region, norm.name, {}, {}};
+  std::vector<LadderLevel> ladder;
+  for (auto const& level : levels) {
+    LadderLevel step{level.front()->spacing, {}, 0.0};
+    for (RunRecord const* run : level) {
+      RegionError const* error = find_error(*run, field, region);
+      if (run->status != "ok" || error == nullptr) {
+        step.errors.clear();
+        break;
+      }
+      step.errors.push_back(error->error.*norm.norm);
+      step.round_off = std::max(step.round_off, error->round_off);
+    }
+    Number mean;
+    if (!step.errors.empty()) {
+      mean = std::accumulate(step.errors.begin(), step.errors.end(), 0.0) /
+             static_cast<double>(step.errors.size());
+    }
+    entry.levels.push_back({level.front()->resolution, step.spacing, static_cast<int>(level.size()), mean,
+                            standard_deviation(step.errors), mean_seconds(level)});
+    ladder.push_back(std::move(step));
+  }
+  entry.observed = observed_order(ladder);
+  return entry;
+}
+
+/// When the curve of error over run time first comes down to a target.
+Number seconds_to(double target, std::vector<SeriesLevel> const& levels) {
+  SeriesLevel const* before = nullptr;
+  for (SeriesLevel const& level : levels) {
+    if (!level.error || !level.seconds) {
+      before = nullptr;
+      continue;
+    }
+    if (*level.error <= target) {
+      if (before == nullptr || *level.error <= 0.0) return level.seconds;
+      double const part = std::log(*before->error / target) / std::log(*before->error / *level.error);
+      return *before->seconds * std::pow(*level.seconds / *before->seconds, part);
+    }
+    before = &level;
+  }
+  return std::nullopt;
+}
+
+void measure_times(Levels const& levels, OrderEntry const& entry, NormChoice const& norm, Series& series) {
+  RegionError const* finest = find_error(*levels.back().front(), entry.field, entry.region);
+  bool const timed = std::any_of(entry.levels.begin(), entry.levels.end(),
+                                 [](SeriesLevel const& level) { return level.seconds.has_value(); });
+  if (finest == nullptr || !timed) return;
+  double const scale = finest->scale.*norm.norm;
+  if (!(scale > 0.0)) return;
+  for (double const relative : relative_targets) {
+    series.time_to_error.push_back({entry.field, entry.region, entry.norm, relative, relative * scale,
+                                    seconds_to(relative * scale, entry.levels)});
+  }
+}
+
+}  // namespace
+
+std::vector<Series> build_series(std::vector<RunRecord> const& runs) {
+  std::vector<Series> all;
+  for (std::size_t index = 0; index < runs.size(); ++index) {
+    RunRecord const& run = runs[index];
+    auto found = std::find_if(all.rbegin(), all.rend(), [&](Series const& s) { return same_ladder(s, run); });
+    if (found == all.rend()) {
+      Series series;
+      series.case_id = run.case_id;
+      series.label = run.label;
+      series.parameters = run.parameters;
+      series.formulation = run.formulation;
+      series.discretisation = run.discretisation;
+      series.smoothing_exponent = run.smoothing_exponent;
+      all.push_back(std::move(series));
+      found = all.rbegin();
+    }
+    found->runs.push_back(index);
+  }
+  for (Series& series : all) {
+    Levels const levels = levels_of(series, runs);
+    std::set<std::pair<std::string, std::string>> measured;
+    for (std::size_t const index : series.runs) {
+      for (auto const& [field, by_region] : runs[index].errors) {
+        for (auto const& [region, error] : by_region) measured.emplace(field, region);
+      }
+    }
+    // A ladder of which every run failed still gets a verdict.
+    if (measured.empty() && std::any_of(series.runs.begin(), series.runs.end(),
+                                        [&](std::size_t index) { return runs[index].status != "ok"; })) {
+      measured.emplace("temperature", "all");
+    }
+    for (auto const& [field, region] : measured) {
+      for (NormChoice const& norm : norm_choices) {
+        series.orders.push_back(measure_order(levels, field, region, norm));
+        measure_times(levels, series.orders.back(), norm, series);
+      }
+    }
+  }
+  return all;
+}
+
+}  // namespace sphverify

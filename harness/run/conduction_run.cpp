@@ -1,0 +1,332 @@
+#include "harness/run/conduction_run.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "harness/measure/norms.hpp"
+#include "harness/measure/spectrum.hpp"
+#include "harness/run/clock.hpp"
+#include "harness/run/exact_fields.hpp"
+#include "harness/run/frozen_conduction.hpp"
+
+namespace sphverify {
+
+namespace {
+
+/// Relative tolerances from loose to tight; absolute ones are the same part of the temperature scale.
+constexpr std::array<double, 5> tolerance_ladder{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
+constexpr double largest_time_error_share = 0.01;
+/// A solution that has grown to this many times the temperatures of the problem is lost.
+constexpr double unstable_growth = 100.0;
+constexpr std::size_t longest_history = 256;
+
+/// Largest temperature of the exact solution at the ends of the run, walls included.
+template <int Dim>
+double temperature_scale(Problem<Dim> const& problem) {
+  auto const& exact = problem.scalars.at(Field::temperature);
+  VectorField<Dim> const samples = lattice(problem.domain, Dim == 1 ? 256 : 32).positions;
+  double largest = 0.0;
+  for (double const t : {0.0, problem.final_time}) {
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      largest = std::max(largest, std::abs(exact(samples[i], t)));
+    for (Wall<Dim> const& wall : problem.walls) {
+      if (wall.temperature) largest = std::max(largest, std::abs(wall.temperature(wall.point, t)));
+    }
+  }
+  return largest > 0.0 ? largest : 1.0;
+}
+
+template <int Dim>
+class ConductionRun {
+ public:
+  ConductionRun(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
+                RunRecord& record)
+      : problem_(problem),
+        choice_(choice),
+        options_(options),
+        record_(record),
+        scale_(temperature_scale(problem)),
+        conduction_(problem, choice, scale_),
+        particles_(conduction_.scene().particles()),
+        exact_(sample(problem.scalars.at(Field::temperature), particles_, problem.final_time)),
+        volumes_(exact_volumes(problem, particles_, problem.final_time)),
+        regions_(regions(particles_, problem.walls)) {}
+
+  void run() {
+    std::optional<OdeResult> const accepted = choose_tolerance();
+    describe_scene();
+    if (accepted) {
+      measure(*accepted);
+      if (options_.measure.contains(Measure::cost)) measure_cost();
+    }
+    if (options_.measure.contains(Measure::stability) || options_.measure.contains(Measure::spectrum)) {
+      measure_stability();
+    }
+  }
+
+ private:
+  double round_off() const { return 64.0 * std::numeric_limits<double>::epsilon() * scale_; }
+
+  double energy(double const* temperature) const {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < particles_.size(); ++i) sum += particles_.masses()[i] * temperature[i];
+    return sum;
+  }
+
+  /// Integrates at one tolerance; empty, with the record's status set, if the run broke.
+  std::optional<OdeResult> integrate(FrozenConduction<Dim>& conduction, double tolerance,
+                                     bool with_quadratures) {
+    history_ = History{};
+    std::size_t const givers = problem_.walls.size() + 1;
+    std::string status;
+    auto const monitor = [&](double t, double const* T, double const* q) -> std::string {
+      if (options_.interrupted && *options_.interrupted) throw Interrupted();
+      double largest = 0.0;
+      for (std::size_t i = 0; i < particles_.size(); ++i) {
+        if (!std::isfinite(T[i])) {
+          status = "non-finite";
+          return fmt::format("temperature of particle {} is not finite at t = {:.6g}", i, t);
+        }
+        largest = std::max(largest, std::abs(T[i]));
+      }
+      if (largest > unstable_growth * scale_) {
+        status = "unstable";
+        return fmt::format("temperature grew to {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}",
+                           largest, unstable_growth, scale_, t);
+      }
+      if (options_.time_budget > 0.0 && clock_.seconds() > options_.time_budget) {
+        status = "timed-out";
+        return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
+      }
+      if (with_quadratures && options_.measure.contains(Measure::history)) {
+        history_.time.push_back(t);
+        history_.energy.push_back(energy(T));
+        history_.exchanged.push_back(0.0);
+        for (std::size_t k = 0; k < givers; ++k) history_.exchanged.back() += q[k];
+      }
+      return "";
+    };
+    OdeResult result = conduction.integrate(record_.discretisation.integrator, problem_.final_time,
+                                            {tolerance, tolerance * scale_}, with_quadratures, monitor);
+    if (result.outcome == OdeOutcome::finished) return result;
+    record_.status = result.outcome == OdeOutcome::failed ? "unstable" : status;
+    record_.reason = result.reason;
+    if (result.outcome == OdeOutcome::failed) record_.reason += fmt::format(" at t = {:.6g}", result.time);
+    return std::nullopt;
+  }
+
+  FieldErrors errors_of(std::vector<double> const& temperature, std::vector<double> const& reference) const {
+    return field_errors({temperature}, {reference}, volumes_, regions_, round_off());
+  }
+
+  /// Largest change relative to the error, over regions and norms; changes within round-off do not count.
+  double time_error_share(FieldErrors const& change, FieldErrors const& error) const {
+    double share = 0.0;
+    for (auto const& [region, changed] : change) {
+      NormSet const& norm = error.at(region).error;
+      for (auto const& [delta, whole] :
+           {std::pair{changed.error.l1, norm.l1}, std::pair{changed.error.l2, norm.l2},
+            std::pair{changed.error.linf, norm.linf}}) {
+        if (delta > round_off()) share = std::max(share, delta / whole);
+      }
+    }
+    return share;
+  }
+
+  std::optional<OdeResult> choose_tolerance() {
+    bool const with_quadratures =
+        options_.measure.contains(Measure::conservation) || options_.measure.contains(Measure::history);
+    Integration& integration = record_.integration.emplace();
+    integration.method = record_.discretisation.integrator;
+    std::optional<OdeResult> looser;
+    History history;
+    for (double const tolerance : tolerance_ladder) {
+      std::optional<OdeResult> tighter = integrate(conduction_, tolerance, with_quadratures);
+      if (!tighter) return std::nullopt;
+      if (looser) {
+        FieldErrors const change = errors_of(looser->y, tighter->y);
+        double const share = time_error_share(change, errors_of(tighter->y, exact_));
+        integration.time_error = change.at("all").error.l2;
+        integration.time_error_share = share;
+        if (share <= largest_time_error_share) {
+          history_ = std::move(history);
+          return looser;
+        }
+      }
+      integration.relative_tolerance = tolerance;
+      integration.absolute_tolerance = tolerance * scale_;
+      looser = std::move(tighter);
+      history = history_;
+    }
+    // The tightest tolerance of all is taken; what is recorded of its error is that of the one before, an
+    // upper bound.
+    return looser;
+  }
+
+  void describe_scene() {
+    record_.scene = conduction_.scene().record();
+    if (record_.discretisation.face_weight == "balanced")
+      record_.smallest_face_weight = smallest_face_weight();
+  }
+
+  Number smallest_face_weight() {
+    Number smallest;
+    for (auto const& contacts : conduction_.scene().geometry().contacts) {
+      for (double const weight : contacts.face_weight) smallest = std::min(smallest.value_or(weight), weight);
+    }
+    return smallest;
+  }
+
+  void measure(OdeResult const& result) {
+    Scene<Dim>& scene = conduction_.scene();
+    double const end = problem_.final_time;
+    conduction_.evaluate(end, result.y.data());
+    if (options_.measure.contains(Measure::error)) {
+      record_.errors["temperature"] = errors_of(result.y, exact_);
+      if (scene.scheme().two_pass && problem_.vectors.contains(Field::flux)) {
+        VectorField<Dim> const exact_flux = sample(problem_.vectors.at(Field::flux), particles_, end);
+        record_.errors["flux"] = field_errors(components(particles_.vector(Field::flux)),
+                                              components(exact_flux), volumes_, regions_, 0.0);
+      }
+      measure_wall_flux();
+    }
+    if (options_.measure.contains(Measure::conservation)) measure_energy(result);
+    if (options_.measure.contains(Measure::profile)) store_profile(result.y);
+    if (options_.measure.contains(Measure::history)) store_history();
+  }
+
+  void measure_wall_flux() {
+    if (!problem_.vectors.contains(Field::flux)) return;
+    Scene<Dim>& scene = conduction_.scene();
+    auto const power = scene.wall_power();
+    auto const areas = scene.wall_areas();
+    double const support = 2.0 * particles_.smoothing_length();
+    for (std::size_t w = 0; w < problem_.walls.size(); ++w) {
+      // The exact flux is averaged over the foot points of the particles that see the wall.
+      Wall<Dim> const& wall = problem_.walls[w];
+      double sum = 0.0;
+      double weight = 0.0;
+      for (std::size_t i = 0; i < particles_.size(); ++i) {
+        Vector<Dim> const x = particles_.positions()[i];
+        if (wall.distance(x) >= support) continue;
+        sum -= volumes_[i] *
+               problem_.vectors.at(Field::flux)(wall.foot(x), problem_.final_time).dot(wall.outward_normal);
+        weight += volumes_[i];
+      }
+      if (weight == 0.0) continue;
+      double const measured = power[w] / areas[w];
+      record_.wall_flux.push_back({measured, sum / weight, measured - sum / weight});
+    }
+  }
+
+  void measure_energy(OdeResult const& result) {
+    std::size_t const walls = problem_.walls.size();
+    Budget budget;
+    budget.initial = energy(sample(problem_.scalars.at(Field::temperature), particles_, 0.0).data());
+    budget.final = energy(result.y.data());
+    for (std::size_t k = 0; k < walls + 1; ++k) budget.exchanged += result.quadratures[k];
+    budget.drift = budget.final - budget.initial - budget.exchanged;
+    auto const prescribed = conduction_.scene().prescribed_wall_power(problem_.final_time);
+    bool known = !prescribed.empty();
+    double defect = 0.0;
+    for (std::size_t w = 0; w < prescribed.size(); ++w) {
+      known = known && prescribed[w].has_value();
+      defect += result.quadratures[w] - result.quadratures[walls + 1 + w];
+    }
+    if (known) budget.wall_budget_defect = defect;
+    record_.conservation["energy"] = budget;
+  }
+
+  void store_profile(std::vector<double> const& temperature) {
+    Profile& profile = record_.profile.emplace();
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+      Vector<Dim> const x = particles_.positions()[i];
+      profile.position.emplace_back(x.begin(), x.end());
+      profile.computed["temperature"].push_back({temperature[i]});
+      profile.exact["temperature"].push_back({exact_[i]});
+    }
+  }
+
+  void store_history() {
+    History& stored = record_.history.emplace();
+    std::size_t const n = history_.time.size();
+    std::size_t const stride = std::max<std::size_t>(1, (n + longest_history - 1) / longest_history);
+    for (std::size_t k = 0; k < n; ++k) {
+      if (k % stride != 0 && k + 1 != n) continue;
+      stored.time.push_back(history_.time[k]);
+      stored.energy.push_back(history_.energy[k]);
+      stored.exchanged.push_back(history_.exchanged[k]);
+    }
+  }
+
+  /// Times set-up and run at the chosen tolerance, without the measurements above.
+  void measure_cost() {
+    Cost best;
+    best.seconds = std::numeric_limits<double>::infinity();
+    int repeats = 0;
+    for (; repeats < std::max(1, options_.repeat); ++repeats) {
+      if (repeats > 0 && options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget) break;
+      Clock const clock;
+      FrozenConduction<Dim> conduction(problem_, choice_, scale_);
+      double const setup = clock.seconds();
+      auto const result = integrate(conduction, record_.integration->relative_tolerance, false);
+      double const seconds = clock.seconds();
+      double const cpu_seconds = clock.cpu_seconds();
+      if (!result) return;
+      if (seconds >= best.seconds) continue;
+      best.seconds = seconds;
+      best.cpu_seconds = options_.threads == 1 ? Number(cpu_seconds) : std::nullopt;
+      best.setup_seconds = setup;
+      best.steps = result->steps;
+      best.rate_evaluations = conduction.scene().work().evaluations;
+      best.pair_interactions = conduction.scene().work().pair_interactions;
+      best.peak_bytes = conduction.bytes();
+    }
+    best.repeats = repeats;
+    record_.cost = best;
+  }
+
+  void measure_stability() {
+    Stability& stability = record_.stability.emplace();
+    if (particles_.size() > largest_dense_spectrum) {
+      stability.remark = fmt::format("not computed for more than {} particles", largest_dense_spectrum);
+      return;
+    }
+    ColouredJacobian& jacobian = conduction_.jacobian();
+    auto const eigenvalues =
+        spectrum(jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()));
+    stability = stability_of(eigenvalues);
+    if (!options_.measure.contains(Measure::spectrum)) return;
+    for (auto const& lambda : eigenvalues) record_.spectrum.push_back({lambda.real(), lambda.imag()});
+  }
+
+  Problem<Dim> const& problem_;
+  SceneChoice const& choice_;
+  RunOptions const& options_;
+  RunRecord& record_;
+  Clock clock_;
+  double scale_;
+  FrozenConduction<Dim> conduction_;
+  Particles<Dim> const& particles_;
+  std::vector<double> exact_, volumes_;
+  std::vector<Region> regions_;
+  History history_;
+};
+
+}  // namespace
+
+template <int Dim>
+void run_conduction(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
+                    RunRecord& record) {
+  ConductionRun<Dim>(problem, choice, options, record).run();
+}
+
+template void run_conduction(Problem<1> const&, SceneChoice const&, RunOptions const&, RunRecord&);
+template void run_conduction(Problem<2> const&, SceneChoice const&, RunOptions const&, RunRecord&);
+template void run_conduction(Problem<3> const&, SceneChoice const&, RunOptions const&, RunRecord&);
+
+}  // namespace sphverify

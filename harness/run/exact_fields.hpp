@@ -1,0 +1,52 @@
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "cases/support/problem.hpp"
+#include "formulations/support/particles.hpp"
+
+namespace sphverify {
+
+/// A function of place and time at every particle.
+template <int Dim>
+std::vector<double> sample(ScalarFunction<Dim> const& f, Particles<Dim> const& particles, double time) {
+  std::vector<double> values(particles.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(particles.positions()[i], time);
+  return values;
+}
+
+template <int Dim>
+VectorField<Dim> sample(VectorFunction<Dim> const& f, Particles<Dim> const& particles, double time) {
+  VectorField<Dim> values(particles.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) values.set(i, f(particles.positions()[i], time));
+  return values;
+}
+
+/// The components of a field as lists.
+template <int Dim>
+std::vector<std::span<double const>> components(VectorField<Dim> const& field) {
+  std::vector<std::span<double const>> lists;
+  for (int k = 0; k < Dim; ++k) lists.emplace_back(field.component(k));
+  return lists;
+}
+
+/// Weights of the norms: V_i = m_i / exact density, or m_i / rho_i where that is zero.
+template <int Dim>
+std::vector<double> exact_volumes(Problem<Dim> const& problem, Particles<Dim> const& particles, double time) {
+  std::vector<double> volumes = sample(problem.scalars.at(Field::density), particles, time);
+  auto const& computed = particles.scalar(Field::density);
+  for (std::size_t i = 0; i < volumes.size(); ++i) {
+    volumes[i] = particles.masses()[i] / (volumes[i] > 0.0 ? volumes[i] : computed[i]);
+  }
+  return volumes;
+}
+
+inline double largest_magnitude(std::span<double const> values) {
+  double largest = 0.0;
+  for (double const value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+}  // namespace sphverify

@@ -1,0 +1,68 @@
+#include "harness/run/frozen_conduction.hpp"
+
+#include "harness/integrate/dependencies.hpp"
+
+namespace sphverify {
+
+template <int Dim>
+FrozenConduction<Dim>::FrozenConduction(Problem<Dim> problem, SceneChoice const& choice,
+                                        double temperature_scale)
+    : scene_(std::move(problem), choice), temperature_scale_(temperature_scale) {}
+
+template <int Dim>
+void FrozenConduction<Dim>::evaluate(double time, double const* temperature) {
+  scene_.set_temperature(temperature);
+  scene_.evaluate(time);
+}
+
+template <int Dim>
+void FrozenConduction<Dim>::rate(double time, double const* temperature, double* out) {
+  evaluate(time, temperature);
+  scene_.heating(time, out);
+}
+
+template <int Dim>
+void FrozenConduction<Dim>::quadrature(double time, double const* temperature, double* out) {
+  evaluate(time, temperature);
+  for (double const power : scene_.wall_power()) *out++ = power;
+  *out++ = scene_.source_power(time);
+  for (Number const& power : scene_.prescribed_wall_power(time)) *out++ = power.value_or(0.0);
+}
+
+template <int Dim>
+ColouredJacobian& FrozenConduction<Dim>::jacobian() {
+  if (!jacobian_) {
+    jacobian_ = std::make_unique<ColouredJacobian>(
+        dependencies(scene_.geometry(), scene_.scheme().two_pass),
+        [this](double t, double const* T, double* out) { rate(t, T, out); },
+        !scene_.problem().conductivity_depends_on_temperature, temperature_scale_);
+  }
+  return *jacobian_;
+}
+
+template <int Dim>
+OdeResult FrozenConduction<Dim>::integrate(std::string const& method, double final_time,
+                                           Tolerances tolerances, bool with_quadratures,
+                                           decltype(OdeSystem::monitor) monitor) {
+  OdeSystem system;
+  system.size = scene_.particles().size();
+  system.rate = [this](double t, double const* T, double* out) { rate(t, T, out); };
+  system.monitor = std::move(monitor);
+  if (with_quadratures) {
+    system.quadratures = scene_.problem().walls.size() + 1 + scene_.geometry().contacts.size();
+    system.quadrature = [this](double t, double const* T, double* out) { quadrature(t, T, out); };
+  }
+  std::vector<double> initial(system.size);
+  auto const& exact = scene_.problem().scalars.at(Field::temperature);
+  for (std::size_t i = 0; i < system.size; ++i) initial[i] = exact(scene_.particles().positions()[i], 0.0);
+  if (method == "runge-kutta")
+    return integrate_runge_kutta(system, std::move(initial), final_time, tolerances);
+  system.jacobian = &jacobian();
+  return integrate_bdf(system, std::move(initial), final_time, tolerances);
+}
+
+template class FrozenConduction<1>;
+template class FrozenConduction<2>;
+template class FrozenConduction<3>;
+
+}  // namespace sphverify

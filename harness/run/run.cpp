@@ -1,0 +1,64 @@
+#include "harness/run/run.hpp"
+
+#include <exception>
+
+#include "harness/run/conduction_run.hpp"
+#include "harness/run/rates_run.hpp"
+
+namespace sphverify {
+
+namespace {
+
+template <int Dim>
+void execute_in_dimension(Problem<Dim> const& problem, RunSpec const& spec, RunOptions const& options,
+                          RunRecord& record) {
+  SceneChoice const choice{.formulation = spec.formulation.id,
+                           .walls = spec.formulation.walls,
+                           .discretisation = spec.discretisation,
+                           .resolution = spec.resolution,
+                           .smoothing_ratio = spec.smoothing_ratio,
+                           .threads = options.threads};
+  Layout<Dim> const layout = lattice(problem.domain, spec.resolution);
+  record.particles = layout.volumes.size();
+  record.spacing = layout.spacing;
+  record.smoothing_length = spec.smoothing_ratio * layout.spacing;
+  switch (spec.scene_case->info.kind) {
+    case CaseKind::rates:
+      return run_rates(problem, choice, options, record);
+    case CaseKind::conduction:
+      return run_conduction(problem, choice, options, record);
+  }
+}
+
+}  // namespace
+
+RunRecord execute(RunSpec const& spec, RunOptions const& options) {
+  RunRecord record;
+  record.case_id = spec.scene_case->info.id;
+  record.parameters = spec.parameters.all();
+  record.formulation = spec.formulation;
+  record.label = spec.label;
+  record.discretisation = spec.discretisation;
+  record.smoothing_exponent = spec.smoothing_exponent;
+  record.resolution = spec.resolution;
+  try {
+    AnyProblem const problem = spec.scene_case->problem(spec.parameters);
+    std::visit([&](auto const& in_dimension) { execute_in_dimension(in_dimension, spec, options, record); },
+               problem);
+  } catch (Interrupted const&) {
+    throw;
+  } catch (UndefinedRate const& error) {
+    record.status = "positivity-lost";
+    record.reason = error.what();
+  } catch (std::bad_alloc const&) {
+    throw;
+  } catch (std::exception const& error) {
+    // The document was checked before; what is left are combinations that make no sense, such as a support
+    // wider than a periodic axis.
+    record.status = "invalid";
+    record.reason = error.what();
+  }
+  return record;
+}
+
+}  // namespace sphverify

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+#include "formulations/support/density.hpp"
+#include "formulations/support/walls.hpp"
+#include "harness/study/words.hpp"
+
+namespace sphverify {
+
+/// Identifiers of the choices that a discretisation offers, as written in documents.
+inline constexpr Words<DensityRule, 3> density_words{{{{"given", DensityRule::given},
+                                                       {"summation", DensityRule::summation},
+                                                       {"normalised", DensityRule::normalised}}}};
+
+inline constexpr Words<FaceWeight, 3> face_weight_words{
+    {{{"campbell", FaceWeight::campbell}, {"exact", FaceWeight::exact}, {"balanced", FaceWeight::balanced}}}};
+
+inline constexpr Words<Closure, 2> closure_words{
+    {{{"interpolated", Closure::interpolated}, {"one-sided", Closure::one_sided}}}};
+
+}  // namespace sphverify

@@ -1,0 +1,209 @@
+#include "harness/scene/scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/sweep.hpp"
+#include "harness/scene/choices.hpp"
+
+namespace sphverify {
+
+namespace {
+
+template <int Dim>
+Layout<Dim> make_layout(Domain<Dim> const& domain, SceneChoice const& choice) {
+  LayoutChoice const& layout = choice.discretisation.layout;
+  return layout.id == "jittered" ? jittered(domain, choice.resolution, layout.amplitude, layout.seed)
+                                 : lattice(domain, choice.resolution);
+}
+
+}  // namespace
+
+template <int Dim>
+Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
+    : problem_(std::move(problem)),
+      operator_(make_rate_operator<Dim>(choice.formulation)),
+      particles_(0, 1.0),
+      closure_(closure_words.value(choice.discretisation.closure)),
+      threads_(choice.threads) {
+  place_particles(choice);
+  find_geometry(choice);
+  set_fields();
+}
+
+template <int Dim>
+void Scene<Dim>::place_particles(SceneChoice const& choice) {
+  Layout<Dim> layout = make_layout(problem_.domain, choice);
+  ++passes_["layout"];
+  spacing_ = layout.spacing;
+  particles_ = Particles<Dim>(layout.volumes.size(), choice.smoothing_ratio * spacing_);
+  auto const& density = problem_.scalars.at(Field::density);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    particles_.masses()[i] = density(layout.positions[i], 0.0) * layout.volumes[i];
+  }
+  particles_.positions() = std::move(layout.positions);
+  particles_.allocate(needed_fields(scheme()));
+}
+
+template <int Dim>
+void Scene<Dim>::find_geometry(SceneChoice const& choice) {
+  double const h = particles_.smoothing_length();
+  double const support = CubicSpline<Dim>::support_ratio * h;
+  CellGrid<Dim> const grid(particles_.positions(), problem_.domain, support);
+  geometry_.neighbours = find_neighbours(grid);
+  ++passes_["neighbour-search"];
+  geometry_.weights =
+      evaluate_kernel(geometry_.neighbours, particles_.positions(), problem_.domain, h, scheme().kernel);
+  ++passes_["kernel"];
+
+  auto& density = particles_.scalar(Field::density);
+  DensityRule const rule = density_words.value(choice.discretisation.density);
+  if (rule == DensityRule::given) {
+    auto const& given = problem_.scalars.at(Field::density);
+    for (std::size_t i = 0; i < density.size(); ++i) density[i] = given(particles_.positions()[i], 0.0);
+  } else {
+    density = summation_density(grid, h, particles_.masses());
+    ++passes_["density-summation"];
+  }
+  if (rule == DensityRule::normalised && !problem_.walls.empty()) {
+    for (std::size_t i = 0; i < density.size(); ++i) {
+      density[i] /= kernel_inside(particles_.positions()[i], problem_.walls, h);
+    }
+    ++passes_["density-normalisation"];
+  }
+
+  if (!choice.walls || problem_.walls.empty()) return;
+  geometry_.walls = problem_.walls;
+  for (Wall<Dim> const& wall : geometry_.walls) {
+    geometry_.contacts.push_back(
+        find_wall_contacts(grid, wall, geometry_.walls, h, particles_.masses(), density,
+                           face_weight_words.value(choice.discretisation.face_weight)));
+  }
+  ++passes_["wall-contacts"];
+}
+
+template <int Dim>
+void Scene<Dim>::set_fields() {
+  for (auto const& [field, exact] : problem_.scalars) {
+    if (field == Field::density || !particles_.has(field)) continue;
+    auto& values = particles_.scalar(field);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = exact(particles_.positions()[i], 0.0);
+  }
+  for (auto const& [field, exact] : problem_.vectors) {
+    if (field == Field::flux || !particles_.has(field)) continue;
+    auto& values = particles_.vector(field);
+    for (std::size_t i = 0; i < particles_.size(); ++i) values.set(i, exact(particles_.positions()[i], 0.0));
+  }
+  if (particles_.has(Field::conductivity)) set_conductivity();
+}
+
+template <int Dim>
+void Scene<Dim>::set_conductivity() {
+  auto const& T = particles_.scalar(Field::temperature);
+  auto& K = particles_.scalar(Field::conductivity);
+  for_each_row(K.size(), threads_,
+               [&](std::size_t i) { K[i] = problem_.conductivity(particles_.positions()[i], T[i]); });
+  ++passes_["conductivity"];
+}
+
+template <int Dim>
+void Scene<Dim>::set_temperature(double const* temperature) {
+  auto& T = particles_.scalar(Field::temperature);
+  std::copy(temperature, temperature + T.size(), T.begin());
+  if (problem_.conductivity_depends_on_temperature) set_conductivity();
+}
+
+template <int Dim>
+void Scene<Dim>::evaluate(double time) {
+  operator_->evaluate(particles_, geometry_, closure_, time, threads_, work_);
+  if (scheme().two_pass) ++passes_["flux"];
+  ++passes_[scheme().id];
+}
+
+template <int Dim>
+void Scene<Dim>::heating(double time, double* out) {
+  auto const& rate = particles_.scalar(Field::heating);
+  std::copy(rate.begin(), rate.end(), out);
+  if (!problem_.source) return;
+  for_each_row(rate.size(), threads_,
+               [&](std::size_t i) { out[i] += problem_.source(particles_.positions()[i], time); });
+  ++passes_["source"];
+}
+
+template <int Dim>
+std::vector<double> Scene<Dim>::wall_power() const {
+  return geometry_.contacts.empty() ? std::vector<double>(problem_.walls.size(), 0.0)
+                                    : operator_->wall_power();
+}
+
+template <int Dim>
+std::vector<Vector<Dim>> Scene<Dim>::wall_force() const {
+  return geometry_.contacts.empty() ? std::vector<Vector<Dim>>(problem_.walls.size(), Vector<Dim>::Zero())
+                                    : operator_->wall_force();
+}
+
+template <int Dim>
+std::vector<Number> Scene<Dim>::prescribed_wall_power(double time) {
+  std::vector<Number> power(geometry_.contacts.size());
+  std::vector<double> const areas = wall_areas();
+  bool const closes_flux = scheme().boundary.contains(BoundaryValue::flux);
+  for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
+    Wall<Dim> const& wall = geometry_.walls[w];
+    WallContacts<Dim> const& contacts = geometry_.contacts[w];
+    if (!wall.flux && !closes_flux) continue;
+    // Mean of F_B . n over the contacts, weighted by the face that each stands for.
+    double sum = 0.0;
+    double weight = 0.0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      std::uint32_t const i = contacts.particle[c];
+      double const face =
+          particles_.masses()[i] / particles_.scalar(Field::density)[i] * contacts.face_weight[c];
+      Vector<Dim> const flux = wall.flux ? wall.flux(contacts.foot[c], time) : contacts.flux[c];
+      sum += face * flux.dot(contacts.outward_normal);
+      weight += face;
+    }
+    if (weight != 0.0) power[w] = -sum / weight * areas[w];
+  }
+  return power;
+}
+
+template <int Dim>
+double Scene<Dim>::source_power(double time) {
+  if (!problem_.source) return 0.0;
+  double power = 0.0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    power += particles_.masses()[i] * problem_.source(particles_.positions()[i], time);
+  }
+  return power;
+}
+
+template <int Dim>
+std::vector<double> Scene<Dim>::wall_areas() const {
+  std::vector<double> areas;
+  Vector<Dim> const extent = problem_.domain.extent();
+  for (Wall<Dim> const& wall : problem_.walls) {
+    double area = 1.0;
+    for (int k = 0; k < Dim; ++k) {
+      if (std::abs(wall.outward_normal[k]) < 0.5) area *= extent[k];
+    }
+    areas.push_back(area);
+  }
+  return areas;
+}
+
+template <int Dim>
+SceneRecord Scene<Dim>::record() const {
+  SceneRecord record;
+  for (FieldInfo const& field : field_infos) {
+    if (particles_.has(field.field)) record.fields.emplace_back(field.name);
+  }
+  for (auto const& [pass, times] : passes_) record.passes.emplace(pass, times);
+  return record;
+}
+
+template class Scene<1>;
+template class Scene<2>;
+template class Scene<3>;
+
+}  // namespace sphverify

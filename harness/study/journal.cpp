@@ -1,0 +1,86 @@
+#include "harness/study/journal.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <stdexcept>
+
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+constexpr char const* schema = "sphverify-journal/1";
+
+/// Where the last whole line ends; what follows was cut short.
+std::size_t whole_lines(std::string const& text) {
+  std::size_t const last = text.rfind('\n');
+  return last == std::string::npos ? 0 : last + 1;
+}
+
+}  // namespace
+
+Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::move(path)) {
+  std::string text;
+  if (resume) {
+    std::ifstream old(path_, std::ios::binary);
+    text.assign(std::istreambuf_iterator<char>(old), {});
+    text.resize(whole_lines(text));
+  }
+  for (std::size_t start = 0; start < text.size();) {
+    std::size_t const end = text.find('\n', start);
+    Json const line = Json::parse(text.substr(start, end - start), nullptr, false);
+    if (start == 0 && (line.is_discarded() || !line.is_object() || line.value("schema", "") != schema)) {
+      throw UserError(path_, "", "something else", "the journal of a study");
+    }
+    if (start == 0 && line.at("study") != study) {
+      throw UserError(path_, "study", "the journal of another study",
+                      "this one's: resume with the same document, or without --resume to start afresh");
+    }
+    if (start > 0) {
+      if (line.is_discarded()) throw UserError(path_, "", "a damaged line", "one finished run");
+      Node const node(line, path_);
+      finished_[static_cast<std::size_t>(node.at("run").integer(0, 1'000'000'000))] =
+          read_run(node.at("record"));
+    }
+    start = end + 1;
+  }
+  file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file_ < 0) {
+    throw UserError(path_, "", std::string("a place that cannot be written (") + std::strerror(errno) + ")",
+                    "room for the journal beside the results");
+  }
+  if (ftruncate(file_, static_cast<off_t>(text.size())) != 0 || lseek(file_, 0, SEEK_END) < 0) {
+    throw std::runtime_error(path_ + ": " + std::strerror(errno));
+  }
+  if (text.empty()) write_line(Json{{"schema", schema}, {"study", study}}.dump());
+}
+
+Journal::~Journal() {
+  if (file_ >= 0) close(file_);
+}
+
+void Journal::write_line(std::string const& line) {
+  std::string const text = line + "\n";
+  std::size_t written = 0;
+  while (written < text.size()) {
+    ssize_t const n = write(file_, text.data() + written, text.size() - written);
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) throw std::runtime_error(path_ + ": " + std::strerror(errno));
+    written += static_cast<std::size_t>(n);
+  }
+}
+
+void Journal::append(std::size_t index, RunRecord const& run) {
+  std::string const line = Json{{"run", index}, {"record", to_json(run)}}.dump();
+  std::scoped_lock const lock(mutex_);
+  write_line(line);
+}
+
+void Journal::remove() { unlink(path_.c_str()); }
+
+}  // namespace sphverify

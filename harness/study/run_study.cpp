@@ -1,0 +1,90 @@
+#include "harness/study/run_study.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <thread>
+
+#include "harness/measure/series.hpp"
+#include "harness/study/context.hpp"
+#include "harness/study/expand.hpp"
+#include "harness/study/journal.hpp"
+#include "harness/study/progress.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+int jobs_at_a_time(Study const& study, int asked) {
+  int const cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int const most = std::max(1, cores / study.threads);
+  if (asked > most) {
+    fmt::print(stderr,
+               "--jobs {}: {} cores hold {} runs of {} threads without disturbing their timings; using {}\n",
+               asked, cores, most, study.threads, most);
+  }
+  return asked == 0 ? most : std::min(asked, most);
+}
+
+}  // namespace
+
+void run_study(Study const& study, StudyOptions const& options) {
+  require_writable(options.output);
+  bool const to_file = options.output != "-";
+  if (options.resume && !to_file)
+    throw UserError("--resume: found no results file, expected -o RESULTS.json");
+
+  Expansion const expansion = expand(study);
+  Json const document = to_json(study);
+  std::unique_ptr<Journal> journal;
+  if (to_file) journal = std::make_unique<Journal>(options.output + ".journal", document, options.resume);
+
+  Results results;
+  results.context = current_context();
+  results.study = document.dump();
+  results.skipped = expansion.skipped;
+  results.runs.resize(expansion.runs.size());
+  std::vector<std::size_t> todo;
+  for (std::size_t index = 0; index < expansion.runs.size(); ++index) {
+    auto const known =
+        journal ? journal->finished().find(index) : decltype(journal->finished().find(index)){};
+    if (journal && known != journal->finished().end()) {
+      results.runs[index] = known->second;
+    } else {
+      todo.push_back(index);
+    }
+  }
+
+  RunOptions const run_options{.measure = study.measure,
+                               .threads = study.threads,
+                               .repeat = study.repeat,
+                               .time_budget = study.time_budget,
+                               .interrupted = options.interrupted};
+  {
+    Progress progress(expansion.runs.size(), expansion.runs.size() - todo.size());
+    tbb::task_arena arena(jobs_at_a_time(study, options.jobs));
+    arena.execute([&] {
+      tbb::parallel_for(
+          std::size_t{0}, todo.size(),
+          [&](std::size_t k) {
+            if (options.interrupted && *options.interrupted) throw Interrupted();
+            RunSpec const& spec = expansion.runs[todo[k]];
+            RunRecord record = execute(spec, run_options);
+            if (journal) journal->append(todo[k], record);
+            progress.finished(spec.label);
+            results.runs[todo[k]] = std::move(record);
+          },
+          tbb::simple_partitioner{});
+    });
+  }
+  results.series = build_series(results.runs);
+  write_document(options.output, document_text(to_json(results)));
+  if (journal) journal->remove();
+}
+
+}  // namespace sphverify

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+
+#include "harness/study/study.hpp"
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+struct StudyOptions {
+  std::string output = "-";  ///< where the results go
+  int jobs = 0;              ///< runs at a time; 0: as many as cores allow
+  bool resume = false;
+  std::atomic<bool> const* interrupted = nullptr;
+};
+
+/// Runs every combination of a study, several at a time but never more than there are cores, so that a timed
+/// run has a core to itself, and writes the results document. Beside it a journal keeps every finished run
+/// until then. Throws UserError, and Interrupted when asked to stop (the journal then holds what is
+/// finished).
+void run_study(Study const& study, StudyOptions const& options);
+
+}  // namespace sphverify

@@ -1,0 +1,258 @@
+#include "harness/study/study.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "formulations/rate_operator.hpp"
+#include "harness/scene/choices.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+std::vector<MeasureWord> const& measure_words() {
+  static std::vector<MeasureWord> const words{
+      {"error", Measure::error, "norms of the error by field and region, and the flux through each wall"},
+      {"conservation", Measure::conservation,
+       "energy budget: drift, exchange through walls, wall budget defect"},
+      {"cost", Measure::cost, "wall and processor time (minimum of the repeats), counted work, memory"},
+      {"stability", Measure::stability, "eigenvalues of the linearised rate: abscissa, radius, stable step"},
+      {"profile", Measure::profile, "computed and exact fields at the final time (stored)"},
+      {"history", Measure::history, "energy budget over time (stored)"},
+      {"spectrum", Measure::spectrum, "all eigenvalues of the linearised rate (stored)"}};
+  return words;
+}
+
+namespace {
+
+std::vector<std::string> case_ids() {
+  std::vector<std::string> ids;
+  for (Case const& one : all_cases()) ids.push_back(one.info.id);
+  return ids;
+}
+
+std::vector<std::string> scheme_ids(std::string_view prefix = "") {
+  std::vector<std::string> ids;
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (scheme->id.starts_with(prefix)) ids.emplace_back(scheme->id);
+  }
+  return ids;
+}
+
+std::vector<std::string> measure_names() {
+  std::vector<std::string> names;
+  for (MeasureWord const& word : measure_words()) names.emplace_back(word.word);
+  return names;
+}
+
+/// Lets the case itself check what its parameters mean.
+void require_sensible(StudyCase const& choice, Node const& node) {
+  try {
+    AnyProblem const problem = choice.scene_case->problem(choice.parameters);
+    double const final_time = std::visit([](auto const& p) { return p.final_time; }, problem);
+    if (choice.scene_case->info.kind != CaseKind::rates && !(final_time > 0.0)) {
+      throw std::invalid_argument("final_time must be positive, found " + std::to_string(final_time));
+    }
+  } catch (std::invalid_argument const& error) {
+    throw UserError(node.file() + ": " + node.key() + ": " + error.what());
+  }
+}
+
+StudyCase read_case(Node const& node) {
+  bool const bare = node.is_string();
+  if (!bare) node.require_keys({"id", "parameters"});
+  std::string const id = (bare ? node : node.at("id")).word(case_ids());
+  Case const* const found = find_case(id);
+  StudyCase choice{found, Parameters(found->info.parameters)};
+  if (auto const parameters = bare ? std::nullopt : node.find("parameters")) {
+    std::vector<std::string> names;
+    for (ParameterSpec const& spec : found->info.parameters) names.push_back(spec.name);
+    parameters->require_keys(names);
+    for (ParameterSpec const& spec : found->info.parameters) {
+      if (auto const value = parameters->find(spec.name))
+        choice.parameters.set(spec.name, read_parameter(*value, spec));
+    }
+  }
+  require_sensible(choice, node);
+  return choice;
+}
+
+FormulationChoice read_formulation(Node const& node) {
+  FormulationChoice f;
+  bool const bare = node.is_string();
+  if (!bare) node.require_keys({"id", "walls", "work", "conduction"});
+  f.id = (bare ? node : node.at("id")).word(scheme_ids());
+  if (bare) return f;
+  if (auto const walls = node.find("walls")) f.walls = walls->word({"on", "off"}) == "on";
+  bool const is_momentum = find_scheme(f.id)->rate == Rate::acceleration;
+  if (auto const work = node.find("work")) {
+    if (!is_momentum) work->complain("no partner: only a momentum form has them");
+    f.work = work->word(scheme_ids("work/"));
+  }
+  if (auto const conduction = node.find("conduction")) {
+    if (!is_momentum) conduction->complain("no partner: only a momentum form has them");
+    f.conduction = conduction->word(scheme_ids("conduction/"));
+  }
+  return f;
+}
+
+std::vector<LayoutChoice> read_layout(Node const& node) {
+  std::vector<std::string> const ids{"lattice", "jittered"};
+  if (node.is_string()) {
+    std::string const id = node.word(ids);
+    if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
+    return {{id}};
+  }
+  node.require_keys({"id", "amplitude", "seed", "seeds"});
+  std::string const id = node.at("id").word(ids);
+  if (id == "lattice") {
+    node.require_keys({"id"});
+    return {{id}};
+  }
+  double const amplitude = node.at("amplitude").number_between(0.0, 0.499999);
+  if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
+  auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
+  std::vector<LayoutChoice> layouts;
+  for (Node const& seed : seeds) {
+    auto const value = static_cast<std::uint64_t>(seed.integer(0, std::numeric_limits<std::int64_t>::max()));
+    LayoutChoice const layout{id, amplitude, value};
+    if (std::find(layouts.begin(), layouts.end(), layout) != layouts.end())
+      seed.complain("every seed only once");
+    layouts.push_back(layout);
+  }
+  return layouts;
+}
+
+/// A key of the discretisation with its default; the rarer ones may also stand at the top of the document.
+std::optional<Node> find_choice(Node const& document, std::string const& key) {
+  if (auto const discretisation = document.find("discretisation")) {
+    if (auto const node = discretisation->find(key)) return node;
+  }
+  return document.find(key);
+}
+
+std::vector<std::string> read_words(std::optional<Node> const& node, std::vector<std::string> const& allowed,
+                                    std::string const& default_word) {
+  if (!node) return {default_word};
+  std::vector<std::string> words;
+  for (Node const& element : node->one_or_many()) {
+    std::string const word = element.word(allowed);
+    if (std::find(words.begin(), words.end(), word) != words.end()) element.complain("every value only once");
+    words.push_back(word);
+  }
+  return words;
+}
+
+template <class Read>
+std::vector<double> read_numbers(std::optional<Node> const& node, double default_value, Read const& read) {
+  if (!node) return {default_value};
+  std::vector<double> values;
+  for (Node const& element : node->one_or_many()) {
+    double const value = read(element);
+    if (std::find(values.begin(), values.end(), value) != values.end())
+      element.complain("every value only once");
+    values.push_back(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+Study read_study(Node const& document) {
+  document.require_schema("sphverify-study/1");
+  document.require_keys({"schema", "name", "cases", "formulations", "discretisation", "resolution",
+                         "smoothing_exponent", "measure", "threads", "repeat", "closure", "integrator",
+                         "time_budget"});
+  Study study;
+  study.name = document.at("name").string();
+  for (Node const& node : document.at("cases").one_or_many()) study.cases.push_back(read_case(node));
+  for (Node const& node : document.at("formulations").one_or_many()) {
+    FormulationChoice const f = read_formulation(node);
+    if (std::find(study.formulations.begin(), study.formulations.end(), f) != study.formulations.end()) {
+      node.complain("every formulation only once");
+    }
+    study.formulations.push_back(f);
+  }
+
+  if (auto const d = document.find("discretisation")) {
+    d->require_keys(
+        {"kernel", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator"});
+    for (char const* key : {"closure", "integrator"}) {
+      if (d->find(key) && document.find(key)) {
+        document.at(key).complain("this key either here or in discretisation");
+      }
+    }
+  }
+  study.kernels = read_words(find_choice(document, "kernel"), {"cubic-spline"}, "cubic-spline");
+  study.densities = read_words(find_choice(document, "density"), density_words.all(), "given");
+  study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), "exact");
+  study.closures = read_words(find_choice(document, "closure"), closure_words.all(), "interpolated");
+  study.integrators = read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta"}, "bdf");
+  study.smoothing_ratios = read_numbers(find_choice(document, "smoothing_ratio"), 1.2,
+                                        [](Node const& node) { return node.positive_number(); });
+  if (auto const layouts = find_choice(document, "layout")) {
+    for (Node const& node : layouts->one_or_many()) {
+      for (LayoutChoice const& layout : read_layout(node)) study.layouts.push_back(layout);
+    }
+  } else {
+    study.layouts = {{"lattice"}};
+  }
+  study.smoothing_exponents = read_numbers(document.find("smoothing_exponent"), 0.0,
+                                           [](Node const& node) { return node.number_between(-1.0, 1.0); });
+
+  for (Node const& node : document.at("resolution").one_or_many()) {
+    study.resolutions.push_back(static_cast<int>(node.integer(1, 100'000'000)));
+    if (study.resolutions.size() > 1 &&
+        study.resolutions.back() <= study.resolutions[study.resolutions.size() - 2]) {
+      node.complain("ascending resolutions");
+    }
+  }
+  auto const measures = document.find("measure");
+  if (!measures) study.measure = {Measure::error, Measure::conservation, Measure::cost};
+  if (measures) {
+    for (Node const& node : measures->one_or_many()) {
+      std::string const word = node.word(measure_names());
+      for (MeasureWord const& known : measure_words()) {
+        if (known.word == word) study.measure.insert(known.measure);
+      }
+    }
+  }
+  if (auto const node = document.find("threads")) study.threads = static_cast<int>(node->integer(1, 1024));
+  if (auto const node = document.find("repeat")) study.repeat = static_cast<int>(node->integer(1, 1000));
+  study.time_budget = 300.0;
+  if (auto const node = document.find("time_budget")) study.time_budget = node->positive_number();
+  return study;
+}
+
+Json to_json(Study const& study) {
+  Json json = {{"schema", "sphverify-study/1"},
+               {"name", study.name},
+               {"cases", Json::array()},
+               {"formulations", Json::array()}};
+  for (StudyCase const& one : study.cases) {
+    json["cases"].push_back(
+        {{"id", one.scene_case->info.id}, {"parameters", parameters_json(one.parameters.all())}});
+  }
+  for (FormulationChoice const& f : study.formulations) json["formulations"].push_back(to_json(f));
+  Json layouts = Json::array();
+  for (LayoutChoice const& layout : study.layouts) layouts.push_back(to_json(layout));
+  json["discretisation"] = {{"kernel", study.kernels},
+                            {"density", study.densities},
+                            {"smoothing_ratio", study.smoothing_ratios},
+                            {"layout", layouts},
+                            {"face_weight", study.face_weights},
+                            {"closure", study.closures},
+                            {"integrator", study.integrators}};
+  json["resolution"] = study.resolutions;
+  json["smoothing_exponent"] = study.smoothing_exponents;
+  json["measure"] = Json::array();
+  for (MeasureWord const& word : measure_words()) {
+    if (study.measure.contains(word.measure)) json["measure"].push_back(word.word);
+  }
+  json["threads"] = study.threads;
+  json["repeat"] = study.repeat;
+  json["time_budget"] = study.time_budget;
+  return json;
+}
+
+}  // namespace sphverify

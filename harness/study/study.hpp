@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "harness/run/run.hpp"
+#include "reports/json/node.hpp"
+
+namespace sphverify {
+
+struct StudyCase {
+  Case const* scene_case;
+  Parameters parameters;
+};
+
+/// A study document, read and checked, defaults filled in. Lists hold every value to combine.
+struct Study {
+  std::string name;
+  std::vector<StudyCase> cases;
+  std::vector<FormulationChoice> formulations;
+  std::vector<std::string> kernels, densities, face_weights, closures, integrators;
+  std::vector<double> smoothing_ratios;
+  std::vector<LayoutChoice> layouts;  ///< one entry per seed
+  std::vector<double> smoothing_exponents;
+  std::vector<int> resolutions;  ///< ascending
+  MeasureSet measure;
+  int threads = 1;
+  int repeat = 1;
+  double time_budget = 0.0;
+};
+
+struct MeasureWord {
+  std::string_view word;
+  Measure measure;
+  std::string_view title;
+};
+
+/// The measures a study may ask for.
+std::vector<MeasureWord> const& measure_words();
+
+/// Reads a study document. Throws UserError.
+Study read_study(Node const& document);
+
+/// The study as a document that `read_study` reads back as the same.
+Json to_json(Study const& study);
+
+}  // namespace sphverify

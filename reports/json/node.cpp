@@ -1,0 +1,170 @@
+#include "reports/json/node.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+
+namespace sphverify {
+
+Json read_json_file(std::string const& path) {
+  std::string text;
+  if (path == "-") {
+    text.assign(std::istreambuf_iterator<char>(std::cin), {});
+  } else {
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw UserError(path, "", "no readable file", "a JSON document");
+    text.assign(std::istreambuf_iterator<char>(file), {});
+    if (file.bad()) throw UserError(path, "", "a file that cannot be read", "a JSON document");
+  }
+  if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
+    throw UserError(path, "", "an empty file", "a JSON document");
+  }
+  try {
+    return Json::parse(text);
+  } catch (Json::parse_error const& error) {
+    std::size_t const line =
+        1 + static_cast<std::size_t>(std::count(
+                text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
+                '\n'));
+    bool const cut = error.byte >= text.size();
+    throw UserError(path, fmt::format("line {}", line),
+                    cut ? "the end of the file inside the document"
+                        : fmt::format("a syntax error at byte {}", error.byte),
+                    "a complete JSON document");
+  } catch (Json::exception const&) {
+    // What the parser accepts but a document cannot hold, such as numbers beyond the range of double.
+    throw UserError(path, "", "a value that cannot be represented", "a JSON document");
+  }
+}
+
+std::string Node::describe() const {
+  std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
+  if (value_->is_string()) text = "'" + value_->get<std::string>() + "'";
+  if (value_->is_object()) text = "an object";
+  if (value_->is_array()) text = value_->empty() ? "an empty list" : "a list";
+  if (text.size() > 60) text = text.substr(0, 57) + "...";
+  return text;
+}
+
+void Node::complain(std::string const& expected) const { throw UserError(file_, key_, describe(), expected); }
+
+void Node::require_keys(std::vector<std::string> const& known) const {
+  if (!is_object()) complain("an object");
+  for (auto const& [name, value] : value_->items()) {
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      throw UserError(file_, child_key(name), "an unknown key", one_of(name, known));
+    }
+  }
+}
+
+void Node::require_schema(std::string const& schema) const {
+  if (!is_object()) complain(fmt::format("a document of schema {}", schema));
+  Node const found = at("schema");
+  if (!found.is_string() || found.string() != schema) found.complain(schema);
+}
+
+std::optional<Node> Node::find(std::string const& key) const {
+  if (!is_object()) complain("an object");
+  auto const it = value_->find(key);
+  if (it == value_->end()) return std::nullopt;
+  return Node(*it, file_, child_key(key));
+}
+
+Node Node::at(std::string const& key) const {
+  if (auto const node = find(key)) return *node;
+  throw UserError(file_, child_key(key), "nothing", "this key");
+}
+
+std::vector<Node> Node::elements() const {
+  if (!is_array()) complain("a list");
+  std::vector<Node> nodes;
+  for (std::size_t i = 0; i < value_->size(); ++i) {
+    nodes.emplace_back((*value_)[i], file_, fmt::format("{}[{}]", key_, i));
+  }
+  return nodes;
+}
+
+std::vector<Node> Node::one_or_many() const {
+  if (!is_array()) return {*this};
+  if (value_->empty()) complain("one value or a list of at least one");
+  return elements();
+}
+
+std::vector<std::pair<std::string, Node>> Node::members() const {
+  if (!is_object()) complain("an object");
+  std::vector<std::pair<std::string, Node>> nodes;
+  for (auto const& [name, value] : value_->items())
+    nodes.emplace_back(name, Node(value, file_, child_key(name)));
+  return nodes;
+}
+
+double Node::number() const {
+  if (!value_->is_number()) complain("a number");
+  double const value = value_->get<double>();
+  if (!std::isfinite(value)) complain("a finite number");
+  return value;
+}
+
+double Node::positive_number() const {
+  if (!value_->is_number() || !(number() > 0.0)) complain("a positive number");
+  return number();
+}
+
+double Node::number_between(double lowest, double highest) const {
+  if (!value_->is_number() || !(number() >= lowest && number() <= highest)) {
+    complain(fmt::format("a number from {:g} to {:g}", lowest, highest));
+  }
+  return number();
+}
+
+std::int64_t Node::integer(std::int64_t lowest, std::int64_t highest) const {
+  auto const expected = [&] { return fmt::format("a whole number from {} to {}", lowest, highest); };
+  if (!value_->is_number()) complain(expected());
+  double const as_double = number();
+  if (as_double != std::floor(as_double) || as_double < static_cast<double>(lowest) ||
+      as_double > static_cast<double>(highest)) {
+    complain(expected());
+  }
+  return value_->is_number_float() ? static_cast<std::int64_t>(as_double) : value_->get<std::int64_t>();
+}
+
+bool Node::boolean() const {
+  if (!value_->is_boolean()) complain("true or false");
+  return value_->get<bool>();
+}
+
+std::string Node::string() const {
+  if (!value_->is_string()) complain("a string");
+  return value_->get<std::string>();
+}
+
+std::string Node::word(std::vector<std::string> const& allowed) const {
+  if (!value_->is_string()) complain(one_of("", allowed));
+  std::string const found = string();
+  if (std::find(allowed.begin(), allowed.end(), found) == allowed.end()) complain(one_of(found, allowed));
+  return found;
+}
+
+std::vector<double> Node::numbers() const {
+  std::vector<double> values;
+  for (Node const& element : elements()) values.push_back(element.number());
+  return values;
+}
+
+ParameterValue read_parameter(Node const& node, ParameterSpec const& spec) {
+  if (std::holds_alternative<double>(spec.default_value)) {
+    constexpr std::int64_t limit = std::int64_t{1} << 31;
+    return spec.integer ? static_cast<double>(node.integer(-limit, limit)) : node.number();
+  }
+  if (std::holds_alternative<std::string>(spec.default_value)) return node.string();
+  if (std::holds_alternative<std::vector<double>>(spec.default_value)) return node.numbers();
+  std::vector<std::vector<double>> table;
+  for (Node const& row : node.elements()) table.push_back(row.numbers());
+  return table;
+}
+
+}  // namespace sphverify

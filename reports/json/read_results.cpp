@@ -1,0 +1,232 @@
+#include <limits>
+
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+constexpr std::int64_t any_count = std::numeric_limits<std::int64_t>::max();
+
+Number optional_number(Node const& node) { return node.is_null() ? Number() : Number(node.number()); }
+
+std::string optional_string(Node const& node) { return node.is_null() ? "" : node.string(); }
+
+std::uint64_t count(Node const& node) { return static_cast<std::uint64_t>(node.integer(0, any_count)); }
+
+std::map<std::string, ParameterValue> read_parameters(Node const& node) {
+  std::map<std::string, ParameterValue> parameters;
+  for (auto const& [name, value] : node.members()) {
+    if (value.is_string()) {
+      parameters[name] = value.string();
+    } else if (!value.is_array()) {
+      parameters[name] = value.number();
+    } else if (auto const elements = value.elements(); !elements.empty() && elements.front().is_array()) {
+      std::vector<std::vector<double>> table;
+      for (Node const& row : elements) table.push_back(row.numbers());
+      parameters[name] = table;
+    } else {
+      parameters[name] = value.numbers();
+    }
+  }
+  return parameters;
+}
+
+FormulationChoice read_formulation(Node const& node) {
+  FormulationChoice f;
+  f.id = node.at("formulation").string();
+  f.work = optional_string(node.at("work"));
+  f.conduction = optional_string(node.at("conduction"));
+  f.walls = node.at("walls").word({"on", "off"}) == "on";
+  return f;
+}
+
+Discretisation read_discretisation(Node const& node) {
+  Discretisation d;
+  d.kernel = node.at("kernel").string();
+  d.density = node.at("density").string();
+  d.smoothing_ratio = node.at("smoothing_ratio").number();
+  Node const layout = node.at("layout");
+  if (layout.is_string()) {
+    d.layout = {layout.string()};
+  } else {
+    d.layout.id = layout.at("id").string();
+    d.layout.amplitude = layout.at("amplitude").number();
+    if (auto const seed = layout.find("seed")) d.layout.seed = count(*seed);
+  }
+  d.face_weight = node.at("face_weight").string();
+  d.closure = node.at("closure").string();
+  d.integrator = node.at("integrator").string();
+  return d;
+}
+
+NormSet read_norms(Node const& node) {
+  return {node.at("l1").number(), node.at("l2").number(), node.at("linf").number()};
+}
+
+Cost read_cost(Node const& node) {
+  Cost c;
+  c.seconds = node.at("seconds").number();
+  c.cpu_seconds = optional_number(node.at("cpu_seconds"));
+  c.setup_seconds = node.at("setup_seconds").number();
+  c.repeats = static_cast<int>(count(node.at("repeats")));
+  c.steps = count(node.at("steps"));
+  c.rate_evaluations = count(node.at("rate_evaluations"));
+  c.pair_interactions = count(node.at("pair_interactions"));
+  c.peak_bytes = count(node.at("peak_bytes"));
+  return c;
+}
+
+Stability read_stability(Node const& node) {
+  Stability s;
+  s.spectral_abscissa = optional_number(node.at("spectral_abscissa"));
+  s.spectral_radius = optional_number(node.at("spectral_radius"));
+  s.largest_stable_step = optional_number(node.at("largest_stable_step"));
+  if (!node.at("growing_modes").is_null()) s.growing_modes = count(node.at("growing_modes"));
+  s.remark = node.at("remark").string();
+  return s;
+}
+
+Integration read_integration(Node const& node) {
+  return {node.at("method").string(), node.at("relative_tolerance").number(),
+          node.at("absolute_tolerance").number(), optional_number(node.at("time_error")),
+          optional_number(node.at("time_error_share"))};
+}
+
+std::map<std::string, std::vector<std::vector<double>>> read_lists(Node const& node) {
+  std::map<std::string, std::vector<std::vector<double>>> lists;
+  for (auto const& [field, values] : node.members()) {
+    for (Node const& value : values.elements()) lists[field].push_back(value.numbers());
+  }
+  return lists;
+}
+
+ObservedOrder read_order(Node const& node) {
+  ObservedOrder o;
+  o.order = optional_number(node.at("order"));
+  if (Node const interval = node.at("interval"); !interval.is_null()) {
+    auto const ends = interval.numbers();
+    o.lower = ends.at(0);
+    o.upper = ends.at(1);
+  }
+  for (Node const& p : node.at("pairwise").elements()) o.pairwise.push_back(optional_number(p));
+  o.verdict = node.at("verdict").string();
+  o.reason = node.at("reason").string();
+  return o;
+}
+
+Series read_series(Node const& node) {
+  Series s;
+  s.case_id = node.at("case").string();
+  s.parameters = read_parameters(node.at("parameters"));
+  s.formulation = read_formulation(node);
+  s.label = node.at("label").string();
+  s.discretisation = read_discretisation(node.at("discretisation"));
+  s.smoothing_exponent = node.at("smoothing_exponent").number();
+  for (Node const& run : node.at("runs").elements()) s.runs.push_back(count(run));
+  for (Node const& entry : node.at("orders").elements()) {
+    OrderEntry e{entry.at("field").string(),
+                 entry.at("region").string(),
+                 entry.at("norm").string(),
+                 read_order(entry),
+                 {}};
+    for (Node const& level : entry.at("levels").elements()) {
+      e.levels.push_back({static_cast<int>(count(level.at("resolution"))), level.at("spacing").number(),
+                          static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),
+                          optional_number(level.at("spread")), optional_number(level.at("seconds"))});
+    }
+    s.orders.push_back(std::move(e));
+  }
+  for (Node const& t : node.at("time_to_error").elements()) {
+    s.time_to_error.push_back({t.at("field").string(), t.at("region").string(), t.at("norm").string(),
+                               t.at("relative").number(), t.at("error").number(),
+                               optional_number(t.at("seconds"))});
+  }
+  return s;
+}
+
+}  // namespace
+
+RunRecord read_run(Node const& node) {
+  RunRecord r;
+  r.case_id = node.at("case").string();
+  r.parameters = read_parameters(node.at("parameters"));
+  r.formulation = read_formulation(node);
+  r.label = node.at("label").string();
+  r.discretisation = read_discretisation(node.at("discretisation"));
+  r.smoothing_exponent = node.at("smoothing_exponent").number();
+  r.resolution = static_cast<int>(count(node.at("resolution")));
+  r.particles = count(node.at("particles"));
+  r.spacing = node.at("spacing").number();
+  r.smoothing_length = node.at("smoothing_length").number();
+  r.status = node.at("status").string();
+  r.reason = optional_string(node.at("reason"));
+  for (Node const& field : node.at("scene").at("fields").elements()) r.scene.fields.push_back(field.string());
+  for (auto const& [pass, times] : node.at("scene").at("pass_counts").members())
+    r.scene.passes[pass] = count(times);
+  if (auto const smallest = node.at("scene").find("smallest_face_weight")) {
+    r.smallest_face_weight = optional_number(*smallest);
+  }
+  for (auto const& [field, regions] : node.at("errors").members()) {
+    for (auto const& [region, e] : regions.members()) {
+      r.errors[field][region] = {read_norms(e), read_norms(e.at("scale")), e.at("round_off").number()};
+    }
+  }
+  for (auto const& [quantity, b] : node.at("conservation").members()) {
+    if (b.is_null()) continue;
+    r.conservation[quantity] = {b.at("initial").number(), b.at("final").number(), b.at("exchanged").number(),
+                                b.at("drift").number(), optional_number(b.at("wall_budget_defect"))};
+  }
+  for (Node const& w : node.at("wall_flux").elements()) {
+    r.wall_flux.push_back({w.at("measured").number(), w.at("exact").number(), w.at("error").number()});
+  }
+  if (Node const cost = node.at("cost"); !cost.is_null()) r.cost = read_cost(cost);
+  if (Node const stability = node.at("stability"); !stability.is_null())
+    r.stability = read_stability(stability);
+  if (Node const integration = node.at("integration"); !integration.is_null()) {
+    r.integration = read_integration(integration);
+  }
+  if (auto const profile = node.find("profile")) {
+    Profile& p = r.profile.emplace();
+    for (Node const& x : profile->at("position").elements()) p.position.push_back(x.numbers());
+    p.computed = read_lists(profile->at("computed"));
+    p.exact = read_lists(profile->at("exact"));
+  }
+  if (auto const history = node.find("history")) {
+    r.history = History{history->at("time").numbers(), history->at("energy").numbers(),
+                        history->at("exchanged").numbers()};
+  }
+  if (auto const spectrum = node.find("spectrum")) {
+    for (Node const& lambda : spectrum->elements()) r.spectrum.push_back(lambda.numbers());
+  }
+  return r;
+}
+
+Results read_results(std::string const& path) {
+  Json const json = read_json_file(path);
+  Node const node(json, path);
+  node.require_schema("sphverify-results/1");
+  Results results;
+  Node const context = node.at("context");
+  results.context = {context.at("version").string(),
+                     context.at("commit").string(),
+                     context.at("compiler").string(),
+                     context.at("flags").string(),
+                     context.at("processor").string(),
+                     context.at("date").string(),
+                     static_cast<int>(context.at("cores").integer(0, 1 << 30))};
+  results.study = node.at("study").json().dump();
+  for (Node const& run : node.at("runs").elements()) results.runs.push_back(read_run(run));
+  for (Node const& series : node.at("series").elements()) {
+    results.series.push_back(read_series(series));
+    for (std::size_t const run : results.series.back().runs) {
+      if (run >= results.runs.size()) series.at("runs").complain("indices of runs in this document");
+    }
+  }
+  for (Node const& s : node.at("skipped").elements()) {
+    results.skipped.push_back({s.at("case").string(), s.at("formulation").string(), s.at("reason").string()});
+  }
+  return results;
+}
+
+}  // namespace sphverify

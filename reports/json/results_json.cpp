@@ -1,0 +1,232 @@
+#include "reports/json/results_json.hpp"
+
+#include <cmath>
+
+namespace sphverify {
+
+namespace {
+
+/// JSON has no NaN and no infinity: what does not exist is null.
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json number(Number const& value) { return value ? number(*value) : Json(nullptr); }
+
+Json numbers(std::vector<double> const& values) {
+  Json list = Json::array();
+  for (double const value : values) list.push_back(number(value));
+  return list;
+}
+
+Json to_json(NormSet const& norms) {
+  return {{"l1", number(norms.l1)}, {"l2", number(norms.l2)}, {"linf", number(norms.linf)}};
+}
+
+Json to_json(Discretisation const& d) {
+  return {
+      {"kernel", d.kernel},          {"density", d.density},         {"smoothing_ratio", d.smoothing_ratio},
+      {"layout", to_json(d.layout)}, {"face_weight", d.face_weight}, {"closure", d.closure},
+      {"integrator", d.integrator}};
+}
+
+Json errors_json(std::map<std::string, FieldErrors> const& errors) {
+  Json fields = Json::object();
+  for (auto const& [field, regions] : errors) {
+    for (auto const& [region, e] : regions) {
+      Json entry = to_json(e.error);
+      entry["scale"] = to_json(e.scale);
+      entry["round_off"] = number(e.round_off);
+      fields[field][region] = entry;
+    }
+  }
+  return fields;
+}
+
+Json conservation_json(std::map<std::string, Budget> const& budgets) {
+  Json all = {{"mass", nullptr}, {"momentum", nullptr}, {"energy", nullptr}};
+  for (auto const& [quantity, b] : budgets) {
+    all[quantity] = {{"initial", number(b.initial)},
+                     {"final", number(b.final)},
+                     {"exchanged", number(b.exchanged)},
+                     {"drift", number(b.drift)},
+                     {"wall_budget_defect", number(b.wall_budget_defect)}};
+  }
+  return all;
+}
+
+Json to_json(Cost const& c) {
+  return {{"seconds", number(c.seconds)},
+          {"cpu_seconds", number(c.cpu_seconds)},
+          {"setup_seconds", number(c.setup_seconds)},
+          {"repeats", c.repeats},
+          {"steps", c.steps},
+          {"rate_evaluations", c.rate_evaluations},
+          {"pair_interactions", c.pair_interactions},
+          {"peak_bytes", c.peak_bytes}};
+}
+
+Json to_json(Stability const& s) {
+  return {{"spectral_abscissa", number(s.spectral_abscissa)},
+          {"spectral_radius", number(s.spectral_radius)},
+          {"largest_stable_step", number(s.largest_stable_step)},
+          {"growing_modes", s.growing_modes ? Json(*s.growing_modes) : Json(nullptr)},
+          {"remark", s.remark}};
+}
+
+Json to_json(Integration const& i) {
+  return {{"method", i.method},
+          {"relative_tolerance", number(i.relative_tolerance)},
+          {"absolute_tolerance", number(i.absolute_tolerance)},
+          {"time_error", number(i.time_error)},
+          {"time_error_share", number(i.time_error_share)}};
+}
+
+Json to_json(Profile const& p) {
+  Json json = {{"position", p.position}, {"computed", Json::object()}, {"exact", Json::object()}};
+  for (auto const& [field, values] : p.computed) json["computed"][field] = values;
+  for (auto const& [field, values] : p.exact) json["exact"][field] = values;
+  return json;
+}
+
+Json to_json(ObservedOrder const& o) {
+  Json pairwise = Json::array();
+  for (Number const& p : o.pairwise) pairwise.push_back(number(p));
+  return {{"order", number(o.order)},
+          {"interval", o.lower ? Json::array({number(o.lower), number(o.upper)}) : Json(nullptr)},
+          {"pairwise", pairwise},
+          {"verdict", o.verdict},
+          {"reason", o.reason}};
+}
+
+Json to_json(OrderEntry const& e) {
+  Json json = {{"field", e.field}, {"region", e.region}, {"norm", e.norm}};
+  json.update(to_json(e.observed));
+  json["levels"] = Json::array();
+  for (SeriesLevel const& level : e.levels) {
+    json["levels"].push_back({{"resolution", level.resolution},
+                              {"spacing", number(level.spacing)},
+                              {"replicates", level.replicates},
+                              {"error", number(level.error)},
+                              {"spread", number(level.spread)},
+                              {"seconds", number(level.seconds)}});
+  }
+  return json;
+}
+
+void put_formulation(Json& json, FormulationChoice const& f) {
+  json["formulation"] = f.id;
+  json["work"] = f.work.empty() ? Json(nullptr) : Json(f.work);
+  json["conduction"] = f.conduction.empty() ? Json(nullptr) : Json(f.conduction);
+  json["walls"] = f.walls ? "on" : "off";
+}
+
+Json to_json(Series const& s) {
+  Json json = {{"case", s.case_id}, {"parameters", parameters_json(s.parameters)}};
+  put_formulation(json, s.formulation);
+  json["label"] = s.label;
+  json["discretisation"] = to_json(s.discretisation);
+  // Replicates differ in the seed alone: a series has none.
+  if (s.discretisation.layout.id == "jittered") json["discretisation"]["layout"].erase("seed");
+  json["smoothing_exponent"] = s.smoothing_exponent;
+  json["runs"] = s.runs;
+  json["orders"] = Json::array();
+  for (OrderEntry const& entry : s.orders) json["orders"].push_back(to_json(entry));
+  json["time_to_error"] = Json::array();
+  for (TimeToError const& t : s.time_to_error) {
+    json["time_to_error"].push_back({{"field", t.field},
+                                     {"region", t.region},
+                                     {"norm", t.norm},
+                                     {"relative", number(t.relative)},
+                                     {"error", number(t.error)},
+                                     {"seconds", number(t.seconds)}});
+  }
+  return json;
+}
+
+Json to_json(Context const& c) {
+  return {{"version", c.version},     {"commit", c.commit}, {"compiler", c.compiler}, {"flags", c.flags},
+          {"processor", c.processor}, {"cores", c.cores},   {"date", c.date}};
+}
+
+}  // namespace
+
+Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {
+  Json json = Json::object();
+  for (auto const& [name, value] : parameters) {
+    // Whole numbers are written as such: a degree is 2, not 2.0.
+    if (auto const* plain = std::get_if<double>(&value);
+        plain && *plain == std::floor(*plain) && std::abs(*plain) < 1e15) {
+      json[name] = static_cast<std::int64_t>(*plain);
+    } else {
+      std::visit([&json, &key = name](auto const& v) { json[key] = v; }, value);
+    }
+  }
+  return json;
+}
+
+Json to_json(LayoutChoice const& layout) {
+  if (layout.id != "jittered") return layout.id;
+  return {{"id", layout.id}, {"amplitude", layout.amplitude}, {"seed", layout.seed}};
+}
+
+Json to_json(FormulationChoice const& f) {
+  Json json = {{"id", f.id}, {"walls", f.walls ? "on" : "off"}};
+  if (!f.work.empty()) json["work"] = f.work;
+  if (!f.conduction.empty()) json["conduction"] = f.conduction;
+  return json;
+}
+
+Json to_json(RunRecord const& r) {
+  Json json = {{"case", r.case_id}, {"parameters", parameters_json(r.parameters)}};
+  put_formulation(json, r.formulation);
+  json["label"] = r.label;
+  json["discretisation"] = to_json(r.discretisation);
+  json["smoothing_exponent"] = r.smoothing_exponent;
+  json["resolution"] = r.resolution;
+  json["particles"] = r.particles;
+  json["spacing"] = number(r.spacing);
+  json["smoothing_length"] = number(r.smoothing_length);
+  json["status"] = r.status;
+  json["reason"] = r.reason.empty() ? Json(nullptr) : Json(r.reason);
+  Json passes = Json::array();
+  Json counts = Json::object();
+  for (auto const& [pass, times] : r.scene.passes) {
+    passes.push_back(pass);
+    counts[pass] = times;
+  }
+  json["scene"] = {{"fields", r.scene.fields}, {"passes", passes}, {"pass_counts", counts}};
+  if (r.smallest_face_weight) json["scene"]["smallest_face_weight"] = number(*r.smallest_face_weight);
+  json["errors"] = errors_json(r.errors);
+  json["conservation"] = conservation_json(r.conservation);
+  json["wall_flux"] = Json::array();
+  for (WallFlux const& w : r.wall_flux) {
+    json["wall_flux"].push_back(
+        {{"measured", number(w.measured)}, {"exact", number(w.exact)}, {"error", number(w.error)}});
+  }
+  json["cost"] = r.cost ? to_json(*r.cost) : Json(nullptr);
+  json["stability"] = r.stability ? to_json(*r.stability) : Json(nullptr);
+  json["integration"] = r.integration ? to_json(*r.integration) : Json(nullptr);
+  if (r.profile) json["profile"] = to_json(*r.profile);
+  if (r.history) {
+    json["history"] = {{"time", numbers(r.history->time)},
+                       {"energy", numbers(r.history->energy)},
+                       {"exchanged", numbers(r.history->exchanged)}};
+  }
+  if (!r.spectrum.empty()) json["spectrum"] = r.spectrum;
+  return json;
+}
+
+Json to_json(Results const& results) {
+  Json json = {{"schema", "sphverify-results/1"},
+               {"context", to_json(results.context)},
+               {"study", Json::parse(results.study)}};
+  json["runs"] = Json::array();
+  for (RunRecord const& run : results.runs) json["runs"].push_back(to_json(run));
+  json["series"] = Json::array();
+  for (Series const& series : results.series) json["series"].push_back(to_json(series));
+  json["skipped"] = Json::array();
+  for (Skipped const& s : results.skipped) {
+    json["skipped"].push_back({{"case", s.case_id}, {"formulation", s.formulation}, {"reason", s.reason}});
+  }
+  return json;
+}
+
+}  // namespace sphverify

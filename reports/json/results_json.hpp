@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "reports/json/node.hpp"
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+/// The results document, sphverify-results/1.
+Json to_json(Results const& results);
+Json to_json(RunRecord const& run);
+Json parameters_json(std::map<std::string, ParameterValue> const& parameters);
+Json to_json(FormulationChoice const& formulation);
+Json to_json(LayoutChoice const& layout);
+
+/// Reads back what `to_json` wrote. Throws UserError for anything else.
+RunRecord read_run(Node const& node);
+Results read_results(std::string const& path);
+
+/// Writes a document so that the file is either the old one or the whole new one; `-` is standard output.
+/// Throws UserError when the place cannot be written.
+void write_document(std::string const& path, std::string const& text);
+
+/// Throws UserError unless a file can be created where the path says.
+void require_writable(std::string const& path);
+
+/// A document as text: one line per small object, numbers in the shortest form that reads back the same.
+std::string document_text(Json const& document);
+
+}  // namespace sphverify

@@ -1,0 +1,200 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cases/support/parameters.hpp"
+
+namespace sphverify {
+
+/// The results document as structs (contract: sphverify-results/1). A number that does not exist is an empty
+/// optional, and `null` in JSON; there are no NaN.
+using Number = std::optional<double>;
+
+/// What was run on what: opens every results document.
+struct Context {
+  std::string version, commit, compiler, flags, processor, date;
+  int cores = 0;
+};
+
+struct LayoutChoice {
+  std::string id;          ///< lattice, jittered
+  double amplitude = 0.0;  ///< of the displacement, in particle spacings
+  std::uint64_t seed = 0;  ///< of a jittered layout
+  bool operator==(LayoutChoice const&) const = default;
+};
+
+struct Discretisation {
+  std::string kernel = "cubic-spline";
+  std::string density = "given";
+  double smoothing_ratio = 1.2;  ///< nominal h/dx, at the first resolution
+  LayoutChoice layout{"lattice"};
+  std::string face_weight = "exact";
+  std::string closure = "interpolated";
+  std::string integrator = "bdf";
+  bool operator==(Discretisation const&) const = default;
+};
+
+/// A formulation as a study names it.
+struct FormulationChoice {
+  std::string id;
+  std::string work, conduction;  ///< partners of a momentum form; empty: none
+  bool walls = true;
+  bool operator==(FormulationChoice const&) const = default;
+};
+
+struct NormSet {
+  double l1 = 0.0, l2 = 0.0, linf = 0.0;
+};
+
+/// Error of a field in a region, the same norms of the exact field, and the error that rounding alone
+/// explains.
+struct RegionError {
+  NormSet error;
+  NormSet scale;
+  double round_off = 0.0;
+};
+
+/// region -> error; a region without particles is absent.
+using FieldErrors = std::map<std::string, RegionError>;
+
+/// Budget of one conserved quantity.
+struct Budget {
+  double initial = 0.0, final = 0.0;
+  double exchanged = 0.0;     ///< through walls and sources, by the scheme
+  double drift = 0.0;         ///< final - initial - exchanged
+  Number wall_budget_defect;  ///< what crossed the walls less what their prescribed values say
+};
+
+struct WallFlux {
+  double measured = 0.0;  ///< at the final time, per area, positive inward
+  double exact = 0.0;
+  double error = 0.0;  ///< measured - exact
+};
+
+struct Cost {
+  double seconds = 0.0;        ///< wall time of set-up and run, minimum over the repeats
+  Number cpu_seconds;          ///< processor time of the same repeat; empty with several threads
+  double setup_seconds = 0.0;  ///< of it, before the first step
+  int repeats = 0;
+  std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0, peak_bytes = 0;
+};
+
+struct Stability {
+  Number spectral_abscissa;    ///< largest real part of an eigenvalue of the linearised rate [1/s]
+  Number spectral_radius;      ///< largest modulus [1/s]
+  Number largest_stable_step;  ///< of explicit Euler by theory [s]; empty where a mode grows
+  std::optional<std::uint64_t> growing_modes;
+  std::string remark;  ///< why a number is missing
+};
+
+/// How time was integrated and what of the error is its fault.
+struct Integration {
+  std::string method;
+  double relative_tolerance = 0.0, absolute_tolerance = 0.0;
+  Number time_error;        ///< l2 norm of the change when the tolerance is tightened a hundredfold
+  Number time_error_share;  ///< the largest ratio of that change to the space error, over regions and norms
+};
+
+/// Fields along the particles at the final time.
+struct Profile {
+  std::vector<std::vector<double>> position;
+  std::map<std::string, std::vector<std::vector<double>>> computed, exact;  ///< one list per particle
+};
+
+/// Energy budget over time.
+struct History {
+  std::vector<double> time, energy, exchanged;
+};
+
+/// What was allocated and what ran, by the scene itself.
+struct SceneRecord {
+  std::vector<std::string> fields;
+  std::map<std::string, std::uint64_t> passes;  ///< name -> times that it ran
+};
+
+struct RunRecord {
+  std::string case_id;
+  std::map<std::string, ParameterValue> parameters;
+  FormulationChoice formulation;
+  std::string label;
+  Discretisation discretisation;
+  double smoothing_exponent = 0.0;
+  int resolution = 0;
+  std::size_t particles = 0;
+  double spacing = 0.0, smoothing_length = 0.0;
+  std::string status = "ok";
+  std::string reason;
+  SceneRecord scene;
+  std::map<std::string, FieldErrors> errors;
+  std::map<std::string, Budget> conservation;  ///< energy; mass and momentum where they can change
+  std::vector<WallFlux> wall_flux;
+  std::optional<Cost> cost;
+  std::optional<Stability> stability;
+  std::optional<Integration> integration;
+  std::optional<Number> smallest_face_weight;  ///< reported for `balanced`
+  std::optional<Profile> profile;
+  std::optional<History> history;
+  std::vector<std::vector<double>> spectrum;  ///< [real, imaginary] per eigenvalue; empty unless asked for
+};
+
+/// An observed order with its 95% interval.
+struct ObservedOrder {
+  Number order, lower, upper;
+  std::vector<Number> pairwise;  ///< between neighbouring levels
+  std::string verdict;
+  std::string reason;  ///< for the verdict, in words
+};
+
+/// One level of a ladder: a resolution, its replicates merged.
+struct SeriesLevel {
+  int resolution = 0;
+  double spacing = 0.0;
+  int replicates = 0;
+  Number error;   ///< mean over the replicates
+  Number spread;  ///< their standard deviation; empty for fewer than two
+  Number seconds;
+};
+
+struct OrderEntry {
+  std::string field, region, norm;
+  ObservedOrder observed;
+  std::vector<SeriesLevel> levels;
+};
+
+struct TimeToError {
+  std::string field, region, norm;
+  double relative = 0.0;  ///< target relative to the exact field's norm
+  double error = 0.0;     ///< target, absolute
+  Number seconds;
+};
+
+/// Runs that differ only in resolution (and in the seed of a jittered layout).
+struct Series {
+  std::string case_id, label;
+  std::map<std::string, ParameterValue> parameters;
+  FormulationChoice formulation;
+  Discretisation discretisation;  ///< of the first run
+  double smoothing_exponent = 0.0;
+  std::vector<std::size_t> runs;  ///< indices into Results::runs
+  std::vector<OrderEntry> orders;
+  std::vector<TimeToError> time_to_error;
+};
+
+struct Skipped {
+  std::string case_id, formulation, reason;
+};
+
+/// The whole document. The study is kept as it was run, defaults filled in, in the form of the document.
+struct Results {
+  Context context;
+  std::string study;  ///< JSON text
+  std::vector<RunRecord> runs;
+  std::vector<Series> series;
+  std::vector<Skipped> skipped;
+};
+
+}  // namespace sphverify

@@ -1,0 +1,322 @@
+#include "reports/table/compare.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "reports/json/results_json.hpp"
+#include "reports/table/series_row.hpp"
+
+namespace sphverify {
+
+namespace {
+
+std::string scientific(Number const& value) { return value ? fmt::format("{:.1e}", *value) : "-"; }
+
+std::string layout_name(LayoutChoice const& layout) {
+  return layout.id == "jittered" ? fmt::format("jittered {:g}", layout.amplitude) : layout.id;
+}
+
+/// "brookshaw" for "conduction/brookshaw": within a case the room says nothing.
+std::string short_name(std::string const& label) {
+  auto const slash = label.find('/');
+  return label.find(" + ") == std::string::npos && slash != std::string::npos ? label.substr(slash + 1)
+                                                                              : label;
+}
+
+/// Which of a discretisation's choices differ between the rows, and so must be named.
+struct Varying {
+  bool density, face_weight, closure, integrator, ratio, document;
+
+  explicit Varying(std::vector<SeriesRow> const& rows) {
+    auto const varies = [&](auto const& key) {
+      return std::any_of(rows.begin(), rows.end(),
+                         [&](SeriesRow const& r) { return key(r) != key(rows.front()); });
+    };
+    density = varies([](SeriesRow const& r) { return r.discretisation.density; });
+    // Without wall terms the two have no meaning.
+    auto const with_walls = [&](auto const& key) {
+      SeriesRow const* first = nullptr;
+      for (SeriesRow const& r : rows) {
+        if (!r.walls) continue;
+        if (first == nullptr) first = &r;
+        if (key(r) != key(*first)) return true;
+      }
+      return false;
+    };
+    face_weight = with_walls([](SeriesRow const& r) { return r.discretisation.face_weight; });
+    closure = with_walls([](SeriesRow const& r) { return r.discretisation.closure; });
+    integrator = varies([](SeriesRow const& r) { return r.discretisation.integrator; });
+    ratio = varies([](SeriesRow const& r) { return r.discretisation.smoothing_ratio; });
+    document = varies([](SeriesRow const& r) { return r.document; });
+  }
+};
+
+/// What a row of a pivot stands for: formulation and the choices that differ.
+std::vector<std::string> row_key(SeriesRow const& row, Varying const& varying) {
+  std::vector<std::string> key{short_name(row.formulation)};
+  if (varying.density) key.push_back(row.discretisation.density);
+  if (varying.face_weight) key.push_back(row.walls ? row.discretisation.face_weight : "");
+  if (varying.closure) key.push_back(row.walls ? row.discretisation.closure : "");
+  if (varying.integrator) key.push_back(row.discretisation.integrator);
+  if (varying.document) key.push_back(row.document);
+  return key;
+}
+
+std::vector<std::string> row_header(Varying const& varying) {
+  std::vector<std::string> header{"formulation"};
+  if (varying.density) header.emplace_back("density");
+  if (varying.face_weight) header.emplace_back("face weight");
+  if (varying.closure) header.emplace_back("closure");
+  if (varying.integrator) header.emplace_back("integrator");
+  if (varying.document) header.emplace_back("results");
+  return header;
+}
+
+/// What a column of a pivot stands for: layout and refinement path.
+std::string column_key(SeriesRow const& row) {
+  std::string const path =
+      row.smoothing_exponent == 0.0
+          ? fmt::format("h/dx={:g}", row.discretisation.smoothing_ratio)
+          : fmt::format("h/dx={:g}~N^{:g}", row.discretisation.smoothing_ratio, row.smoothing_exponent);
+  return layout_name(row.discretisation.layout) + " " + path;
+}
+
+struct Cell {
+  std::string text;
+  Number value;  ///< by which the best is found; the lower the better
+};
+
+Cell error_cell(SeriesRow const& row) {
+  if (!row.failures.empty()) return {row.failures, std::nullopt};
+  if (!row.error) return {"-", std::nullopt};
+  std::string const error = scientific(row.relative_error ? row.relative_error : row.error);
+  Number const value = row.error;
+  if (row.verdict == "asymptotic" && row.half_width) {
+    return {fmt::format("{} {:.2f}±{:.2f}", error, *row.order, *row.half_width), value};
+  }
+  if (row.verdict == "pre-asymptotic" && row.order)
+    return {fmt::format("{} ~{:.1f}", error, *row.order), value};
+  if (row.verdict == "diverging") return {error + " diverging", value};
+  return {error + " " + row.verdict, value};
+}
+
+Cell wall_flux_cell(SeriesRow const& row) {
+  if (!row.failures.empty()) return {row.failures, std::nullopt};
+  return {row.wall_flux_error ? fmt::format("{:.2g}%", 100.0 * *row.wall_flux_error) : "-",
+          row.wall_flux_error};
+}
+
+Cell time_cell(SeriesRow const& row, double fastest) {
+  if (!row.failures.empty()) return {row.failures, std::nullopt};
+  if (!row.seconds_to_percent) return {"never", std::nullopt};
+  return {fmt::format("{:.3g}", *row.seconds_to_percent / fastest), row.seconds_to_percent};
+}
+
+TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
+                std::function<Cell(SeriesRow const&)> const& cell_of) {
+  Varying const varying(rows);
+  TextTable table;
+  table.title = title;
+  table.header = row_header(varying);
+  table.label_columns = table.header.size();
+  std::vector<std::string> columns;
+  std::vector<std::vector<std::string>> keys;
+  for (SeriesRow const& row : rows) {
+    if (std::string const c = column_key(row);
+        std::find(columns.begin(), columns.end(), c) == columns.end()) {
+      columns.push_back(c);
+    }
+    if (auto const k = row_key(row, varying); std::find(keys.begin(), keys.end(), k) == keys.end())
+      keys.push_back(k);
+  }
+  table.header.insert(table.header.end(), columns.begin(), columns.end());
+  std::vector<Number> best(columns.size());
+  std::vector<std::vector<Number>> values;
+  for (auto const& key : keys) {
+    std::vector<std::string> cells = key;
+    std::vector<Number> row_values;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      Cell cell{"", std::nullopt};
+      for (SeriesRow const& row : rows) {
+        if (row_key(row, varying) == key && column_key(row) == columns[c]) cell = cell_of(row);
+      }
+      cells.push_back(cell.text);
+      row_values.push_back(cell.value);
+      if (cell.value && (!best[c] || *cell.value < *best[c])) best[c] = cell.value;
+    }
+    table.rows.push_back(std::move(cells));
+    values.push_back(std::move(row_values));
+  }
+  for (auto const& row : values) {
+    std::vector<bool> marks(table.label_columns, false);
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      marks.push_back(keys.size() > 1 && row[c] && row[c] == best[c]);
+    table.best.push_back(std::move(marks));
+  }
+  return table;
+}
+
+/// Over everything that was run: how often each formulation converged, and how near it came.
+TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
+  TextTable table;
+  table.title =
+      fmt::format("Summary over all cases and discretisations ({}, region {})", options.norm, options.region);
+  table.header = {"formulation",  "converges", "floored",     "diverges", "fails",
+                  "median error", "worst",     "median flux", "ladders"};
+  std::vector<std::string> labels;
+  for (SeriesRow const& row : rows) {
+    if (std::find(labels.begin(), labels.end(), row.formulation) == labels.end())
+      labels.push_back(row.formulation);
+  }
+  auto const median = [](std::vector<double> values) -> Number {
+    if (values.empty()) return std::nullopt;
+    std::sort(values.begin(), values.end());
+    std::size_t const n = values.size();
+    return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
+  };
+  for (std::string const& label : labels) {
+    int converges = 0, floored = 0, diverges = 0, fails = 0, ladders = 0;
+    std::vector<double> errors, fluxes;
+    for (SeriesRow const& row : rows) {
+      if (row.formulation != label) continue;
+      ++ladders;
+      if (!row.failures.empty()) {
+        ++fails;
+        continue;
+      }
+      converges += row.verdict == "asymptotic" || row.verdict == "pre-asymptotic";
+      floored += row.verdict == "floored";
+      diverges += row.verdict == "diverging";
+      if (row.relative_error) errors.push_back(*row.relative_error);
+      if (row.wall_flux_error) fluxes.push_back(*row.wall_flux_error);
+    }
+    Number const flux = median(fluxes);
+    table.rows.push_back(
+        {short_name(label), fmt::format("{}", converges), fmt::format("{}", floored),
+         fmt::format("{}", diverges), fmt::format("{}", fails), scientific(median(errors)),
+         scientific(errors.empty() ? Number() : Number(*std::max_element(errors.begin(), errors.end()))),
+         flux ? fmt::format("{:.2g}%", 100.0 * *flux) : "-", fmt::format("{}", ladders)});
+  }
+  return table;
+}
+
+std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
+  std::string text;
+  std::vector<std::pair<std::string, std::string>> cases;
+  for (SeriesRow const& row : rows) {
+    std::pair const key{row.case_id, row.parameters};
+    if (std::find(cases.begin(), cases.end(), key) == cases.end()) cases.push_back(key);
+  }
+  for (auto const& [case_id, parameters] : cases) {
+    std::vector<SeriesRow> chosen;
+    for (SeriesRow const& row : rows) {
+      if (row.case_id == case_id && row.parameters == parameters) chosen.push_back(row);
+    }
+    std::string const heading = fmt::format("{} ({})", case_id, parameters);
+    text +=
+        render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
+                                 options.norm, chosen.front().field, options.region, chosen.front().finest),
+                     chosen, error_cell),
+               options.format, options.colour) +
+        "\n";
+    auto const has = [&](auto member) {
+      return std::any_of(chosen.begin(), chosen.end(),
+                         [&](SeriesRow const& r) { return (r.*member).has_value(); });
+    };
+    if (has(&SeriesRow::wall_flux_error)) {
+      text += render(pivot(fmt::format("{}: error of the heat flux through the walls", case_id), chosen,
+                           wall_flux_cell),
+                     options.format, options.colour) +
+              "\n";
+    }
+    if (has(&SeriesRow::seconds_to_percent)) {
+      double fastest = INFINITY;
+      for (SeriesRow const& row : chosen)
+        fastest = std::min(fastest, row.seconds_to_percent.value_or(INFINITY));
+      text += render(pivot(fmt::format("{}: run time to 1% error, fastest = 1", case_id), chosen,
+                           [fastest](SeriesRow const& row) { return time_cell(row, fastest); }),
+                     options.format, options.colour) +
+              "\n";
+    }
+  }
+  text += render(summary(rows, options), options.format, options.colour);
+  return text +
+         "\nErrors are relative to the same norm of the exact field (absolute where that is zero); * is the "
+         "best of "
+         "its column.\n1.23±0.10 is an order with its 95% interval (asymptotic), ~1.2 one that still "
+         "changes.\n"
+         "What the verdicts mean: sphverify describe order\n";
+}
+
+std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {
+  return {{"error", row.error},
+          {"relative_error", row.relative_error},
+          {"order", row.order},
+          {"order_half_width", row.half_width},
+          {"wall_flux_error", row.wall_flux_error},
+          {"energy_drift", row.energy_drift},
+          {"wall_budget_defect", row.wall_budget_defect},
+          {"seconds", row.seconds},
+          {"seconds_to_1_percent", row.seconds_to_percent},
+          {"time_error_share", row.time_error_share}};
+}
+
+std::vector<std::pair<std::string, std::string>> words_of(SeriesRow const& row) {
+  return {{"results", row.document},
+          {"case", row.case_id},
+          {"parameters", row.parameters},
+          {"formulation", row.formulation},
+          {"density", row.discretisation.density},
+          {"layout", layout_name(row.discretisation.layout)},
+          {"face_weight", row.discretisation.face_weight},
+          {"closure", row.discretisation.closure},
+          {"integrator", row.discretisation.integrator},
+          {"smoothing_ratio", fmt::format("{:g}", row.discretisation.smoothing_ratio)},
+          {"smoothing_exponent", fmt::format("{:g}", row.smoothing_exponent)},
+          {"finest", fmt::format("{}", row.finest)},
+          {"field", row.field},
+          {"verdict", row.verdict},
+          {"failures", row.failures}};
+}
+
+std::string csv(std::vector<SeriesRow> const& rows) {
+  TextTable table;
+  for (auto const& [name, value] : words_of(rows.front())) table.header.push_back(name);
+  for (auto const& [name, value] : numbers_of(rows.front())) table.header.push_back(name);
+  for (SeriesRow const& row : rows) {
+    std::vector<std::string> cells;
+    for (auto const& [name, value] : words_of(row)) cells.push_back(value);
+    for (auto const& [name, value] : numbers_of(row)) cells.push_back(value ? fmt::format("{}", *value) : "");
+    table.rows.push_back(std::move(cells));
+  }
+  return render(table, TableFormat::csv, false);
+}
+
+std::string json(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
+  Json document = {{"schema", "sphverify-comparison/1"},
+                   {"region", options.region},
+                   {"norm", options.norm},
+                   {"series", Json::array()}};
+  for (SeriesRow const& row : rows) {
+    Json entry;
+    for (auto const& [name, value] : words_of(row)) entry[name] = value;
+    for (auto const& [name, value] : numbers_of(row)) entry[name] = value ? Json(*value) : Json(nullptr);
+    document["series"].push_back(std::move(entry));
+  }
+  return document_text(document);
+}
+
+}  // namespace
+
+std::string compare(std::vector<NamedResults> const& documents, CompareOptions const& options) {
+  auto const rows = series_rows(documents, options.region, options.norm);
+  if (rows.empty()) return "No series: the study ran nothing.\n";
+  if (options.format == TableFormat::csv) return csv(rows);
+  if (options.format == TableFormat::json) return json(rows, options);
+  return readable(rows, options);
+}
+
+}  // namespace sphverify

@@ -1,0 +1,137 @@
+#include "reports/table/series_row.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sphverify {
+
+namespace {
+
+/// The field that a case is about.
+constexpr std::array<char const*, 3> leading_fields{"temperature", "acceleration", "heating"};
+
+double norm_of(NormSet const& norms, std::string const& name) {
+  return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
+}
+
+std::string parameters_text(std::map<std::string, ParameterValue> const& parameters) {
+  std::vector<std::string> parts;
+  for (auto const& [name, value] : parameters) {
+    if (auto const* number = std::get_if<double>(&value))
+      parts.push_back(fmt::format("{}={:g}", name, *number));
+    if (auto const* word = std::get_if<std::string>(&value))
+      parts.push_back(fmt::format("{}={}", name, *word));
+    if (auto const* list = std::get_if<std::vector<double>>(&value))
+      parts.push_back(fmt::format("{}={}", name, *list));
+    if (auto const* table = std::get_if<std::vector<std::vector<double>>>(&value)) {
+      parts.push_back(fmt::format("{}={}", name, *table));
+    }
+  }
+  return fmt::format("{}", fmt::join(parts, " "));
+}
+
+void raise(Number& largest, double value) { largest = std::max(largest.value_or(value), value); }
+
+void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesRow& row) {
+  for (std::size_t const index : series.runs) row.finest = std::max(row.finest, runs[index].resolution);
+  std::string status;
+  int members = 0;
+  int failed = 0;
+  double seconds = 0.0;
+  int timed = 0;
+  for (std::size_t const index : series.runs) {
+    RunRecord const& run = runs[index];
+    if (run.integration && run.integration->time_error_share) {
+      raise(row.time_error_share, *run.integration->time_error_share);
+    }
+    if (run.resolution != row.finest) continue;
+    ++members;
+    if (run.status != "ok") {
+      ++failed;
+      status = run.status;
+      continue;
+    }
+    if (run.cost) {
+      seconds += run.cost->seconds;
+      ++timed;
+    }
+    double largest_flux = 0.0;
+    for (WallFlux const& wall : run.wall_flux) largest_flux = std::max(largest_flux, std::abs(wall.exact));
+    for (WallFlux const& wall : run.wall_flux) {
+      raise(row.wall_flux_error, std::abs(wall.error) / (largest_flux > 0.0 ? largest_flux : 1.0));
+    }
+    if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
+      Budget const& b = energy->second;
+      double const scale = std::max(std::abs(b.initial), std::abs(b.final));
+      raise(row.energy_drift, std::abs(b.drift) / (scale > 0.0 ? scale : 1.0));
+      if (b.wall_budget_defect) {
+        raise(row.wall_budget_defect, std::abs(*b.wall_budget_defect) / (scale > 0.0 ? scale : 1.0));
+      }
+    }
+  }
+  if (timed > 0) row.seconds = seconds / timed;
+  if (failed > 0) row.failures = fmt::format("{} {}/{}", status, failed, members);
+}
+
+void read_order(Series const& series, std::vector<RunRecord> const& runs, std::string const& region,
+                std::string const& norm, SeriesRow& row) {
+  OrderEntry const* entry = nullptr;
+  for (char const* field : leading_fields) {
+    for (OrderEntry const& candidate : series.orders) {
+      if (entry == nullptr && candidate.field == field && candidate.region == region &&
+          candidate.norm == norm) {
+        entry = &candidate;
+      }
+    }
+  }
+  if (entry == nullptr) return;
+  row.field = entry->field;
+  row.verdict = entry->observed.verdict;
+  row.order = entry->observed.order;
+  if (entry->observed.lower && entry->observed.upper) {
+    row.half_width = 0.5 * (*entry->observed.upper - *entry->observed.lower);
+  }
+  if (!entry->levels.empty()) row.error = entry->levels.back().error;
+  for (std::size_t const index : series.runs) {
+    auto const field = runs[index].errors.find(entry->field);
+    if (!row.error || runs[index].resolution != row.finest || field == runs[index].errors.end()) continue;
+    auto const found = field->second.find(region);
+    if (found == field->second.end()) continue;
+    double const scale = norm_of(found->second.scale, norm);
+    if (scale > 0.0) row.relative_error = *row.error / scale;
+  }
+  for (TimeToError const& t : series.time_to_error) {
+    if (t.field == row.field && t.region == region && t.norm == norm && t.relative == 0.01) {
+      row.seconds_to_percent = t.seconds;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SeriesRow> series_rows(std::vector<NamedResults> const& documents, std::string const& region,
+                                   std::string const& norm) {
+  std::vector<SeriesRow> rows;
+  for (NamedResults const& document : documents) {
+    for (Series const& series : document.results.series) {
+      SeriesRow row;
+      row.document = document.name;
+      row.case_id = series.case_id;
+      row.parameters = parameters_text(series.parameters);
+      row.formulation = series.label;
+      row.walls = series.formulation.walls;
+      row.discretisation = series.discretisation;
+      row.smoothing_exponent = series.smoothing_exponent;
+      read_runs(series, document.results.runs, row);
+      read_order(series, document.results.runs, region, norm, row);
+      rows.push_back(std::move(row));
+    }
+  }
+  return rows;
+}
+
+}  // namespace sphverify

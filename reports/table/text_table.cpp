@@ -1,0 +1,98 @@
+#include "reports/table/text_table.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace sphverify {
+
+namespace {
+
+/// Columns on a terminal that a UTF-8 text takes: its code points.
+std::size_t width_of(std::string const& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(std::string const& text, std::size_t width) {
+  return text + std::string(width - std::min(width, width_of(text)), ' ');
+}
+
+bool is_best(TextTable const& table, std::size_t row, std::size_t column) {
+  return !table.best.empty() && table.best[row][column];
+}
+
+std::string marked(TextTable const& table, std::size_t row, std::size_t column) {
+  return table.rows[row][column] + (is_best(table, row, column) ? "*" : "");
+}
+
+std::string render_terminal(TextTable const& table, bool colour) {
+  std::vector<std::size_t> width;
+  for (std::string const& name : table.header) width.push_back(width_of(name));
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c)
+      width[c] = std::max(width[c], width_of(marked(table, r, c)));
+  }
+  std::string text = table.title + "\n";
+  auto const line = [&](auto const& cell) {
+    std::string row;
+    for (std::size_t c = 0; c < width.size(); ++c) row += (c == 0 ? " " : "  ") + cell(c);
+    while (row.ends_with(' ')) row.pop_back();
+    text += row + "\n";
+  };
+  line([&](std::size_t c) { return padded(table.header[c], width[c]); });
+  line([&](std::size_t c) { return std::string(width[c], '-'); });
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    line([&](std::size_t c) {
+      std::string const cell = padded(marked(table, r, c), width[c]);
+      return colour && is_best(table, r, c) ? "\x1b[1;32m" + cell + "\x1b[0m" : cell;
+    });
+  }
+  return text;
+}
+
+std::string render_markdown(TextTable const& table) {
+  std::string text = fmt::format("### {}\n\n| {} |\n|", table.title, fmt::join(table.header, " | "));
+  for (std::size_t c = 0; c < table.header.size(); ++c) text += "---|";
+  text += "\n";
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    text += "|";
+    for (std::size_t c = 0; c < table.rows[r].size(); ++c) text += " " + marked(table, r, c) + " |";
+    text += "\n";
+  }
+  return text;
+}
+
+std::string csv_cell(std::string const& cell) {
+  if (cell.find_first_of(",\"\n") == std::string::npos) return cell;
+  std::string quoted = "\"";
+  for (char const c : cell) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string render_csv(TextTable const& table) {
+  std::string text;
+  auto const line = [&](std::vector<std::string> const& cells) {
+    for (std::size_t c = 0; c < cells.size(); ++c) text += (c > 0 ? "," : "") + csv_cell(cells[c]);
+    text += "\n";
+  };
+  line(table.header);
+  for (auto const& row : table.rows) line(row);
+  return text;
+}
+
+}  // namespace
+
+std::string render(TextTable const& table, TableFormat format, bool colour) {
+  switch (format) {
+    case TableFormat::markdown:
+      return render_markdown(table);
+    case TableFormat::csv:
+      return render_csv(table);
+    default:
+      return render_terminal(table, colour);
+  }
+}
+
+}  // namespace sphverify

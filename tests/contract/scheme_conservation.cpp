@@ -1,0 +1,131 @@
+#include <boost/test/unit_test.hpp>
+
+#include "tests/support/random_particles.hpp"
+
+// What pairs exchange adds up to zero where a scheme claims it, and visibly does not where it does not claim it.
+BOOST_AUTO_TEST_SUITE(scheme_conservation)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+constexpr std::size_t count = 60;
+
+/// Sum of m times the rate, and the sum of its magnitudes.
+struct Balance {
+  double net = 0.0;
+  double gross = 0.0;
+  double relative() const { return std::abs(net) / gross; }
+};
+
+template <int Dim>
+Balance balance(Scene<Dim> const& scene, Rates<Dim> const& rates) {
+  auto const& m = scene.particles.masses();
+  Balance sum;
+  Vector<Dim> force = Vector<Dim>::Zero();
+  for (std::size_t i = 0; i < rates.acceleration.size(); ++i) {
+    force += m[i] * rates.acceleration[i];
+    sum.gross += m[i] * rates.acceleration[i].norm();
+  }
+  sum.net = force.norm();
+  for (std::size_t i = 0; i < rates.heating.size(); ++i) {
+    sum.net += m[i] * rates.heating[i];
+    sum.gross += m[i] * std::abs(rates.heating[i]);
+  }
+  return sum;
+}
+
+/// Rate of kinetic plus internal energy of a momentum form with a work form that gives internal energy.
+template <int Dim>
+Balance energy_balance(Scene<Dim> const& scene, std::string_view momentum, std::string_view work) {
+  auto const a = evaluate(scene, momentum, false).acceleration;
+  auto const heating = evaluate(scene, work, false).heating;
+  auto const& v = scene.particles.vector(Field::velocity);
+  Balance sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    double const kinetic = scene.particles.masses()[i] * v[i].dot(a[i]);
+    double const internal = scene.particles.masses()[i] * heating[i];
+    sum.net += kinetic + internal;
+    sum.gross += std::abs(kinetic) + std::abs(internal);
+  }
+  return sum;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_to_round_off_what_is_claimed_and_only_that, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const periodic : {false, true}) {
+    Scene<Dim> scene = random_scene<Dim>(1, count);
+    scene.domain.periodic.fill(periodic);
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (periodic && Dim == 3) continue;  // the box is shorter than two supports
+      Invariant const wanted = scheme->rate == Rate::acceleration ? Invariant::momentum : Invariant::energy;
+      double const defect = balance(scene, evaluate(scene, scheme->id, false)).relative();
+      BOOST_TEST_MESSAGE(Dim << "D " << scheme->id << ": " << defect);
+      if (scheme->conserves.contains(wanted)) BOOST_TEST(defect < 1e-13, scheme->id);
+      else BOOST_TEST(defect > 1e-3, scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_act_on_each_other_equally_where_conservation_is_claimed, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(3, 2);
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (scheme->conserves.empty()) continue;
+    Balance const pair = balance(scene, evaluate(scene, scheme->id, false));
+    BOOST_TEST(pair.gross > 0.0, scheme->id);
+    BOOST_TEST(pair.relative() < 1e-15, scheme->id);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(with_walls_the_particles_gain_exactly_what_the_walls_give, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
+    Scene<Dim> scene = random_scene<Dim>(1, count);
+    scene.face_weight = rule;
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->conserves.empty()) continue;
+      Rates<Dim> const rates = evaluate(scene, scheme->id);
+      Balance const gained = balance(scene, rates);
+      double given = 0.0;
+      for (double const power : rates.wall_power) given += power;
+      Vector<Dim> force = Vector<Dim>::Zero();
+      for (Vector<Dim> const& wall : rates.wall_force) force += wall;
+      given += force.norm();
+      BOOST_TEST(std::abs(given) > 1e-3 * gained.gross, scheme->id);
+      BOOST_TEST(std::abs(gained.net - given) < 1e-12 * gained.gross, scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(momentum_forms_conserve_energy_with_their_own_partner_and_with_no_other, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(2, count);
+  for (SchemeInfo const* momentum : all_scheme_infos()) {
+    if (momentum->rate != Rate::acceleration) continue;
+    for (SchemeInfo const* work : all_scheme_infos()) {
+      if (work->rate != Rate::internal_work) continue;
+      bool const partners =
+          momentum->conserves.contains(Invariant::momentum) && momentum->work_partner == work->id;
+      double const defect = energy_balance(scene, momentum->id, work->id).relative();
+      BOOST_TEST_MESSAGE(Dim << "D " << momentum->id << " with " << work->id << ": " << defect);
+      if (partners) BOOST_TEST(defect < 1e-13, momentum->id << " with " << work->id);
+      else BOOST_TEST(defect > 1e-4, momentum->id << " with " << work->id);
+    }
+  }
+}
+
+// Eqs. 41 and 42: total less kinetic energy is internal energy, particle by particle and at the walls too.
+BOOST_AUTO_TEST_CASE_TEMPLATE(total_energy_less_the_work_of_p_rho2_is_the_internal_energy_form, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const walls : {false, true}) {
+    Scene<Dim> const scene = random_scene<Dim>(4, count);
+    auto const a = evaluate(scene, "momentum/p-rho2", walls).acceleration;
+    std::vector<double> internal = evaluate(scene, "work/total-energy", walls).heating;
+    for (std::size_t i = 0; i < count; ++i) internal[i] -= scene.particles.vector(Field::velocity)[i].dot(a[i]);
+    BOOST_TEST(relative_difference(internal, evaluate(scene, "work/internal-energy", walls).heating) < 1e-11);
+    auto const wrong = evaluate(scene, "work/sqrt-p", walls).heating;
+    BOOST_TEST(relative_difference(internal, wrong) > 1e-3);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,196 @@
+#include <boost/test/unit_test.hpp>
+#include <limits>
+#include <string>
+
+#include "tests/support/random_particles.hpp"
+
+BOOST_AUTO_TEST_SUITE(scheme_inputs)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+constexpr std::size_t count = 40;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+template <int Dim>
+void set_field(Particles<Dim>& particles, Field field, double value) {
+  if (info(field).is_vector) {
+    for (int k = 0; k < Dim; ++k) particles.vector(field).component(k).assign(particles.size(), value);
+  } else {
+    particles.scalar(field).assign(particles.size(), value);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_not_declared_read_are_not_read, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (unsigned prescribed = 0; prescribed < 16; ++prescribed) {
+    for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
+      Scene<Dim> scene = random_scene<Dim>(1, count, subset(prescribed), subset(prescribed));
+      scene.closure = closure;
+      for (SchemeInfo const* scheme : all_scheme_infos()) {
+        Scene<Dim> poisoned = scene;
+        for (FieldInfo const& field : field_infos) {
+          bool const read =
+              scheme->reads.contains(field.field) || field.field == Field::position || field.field == Field::mass;
+          if (!read) set_field(poisoned.particles, field.field, nan);
+        }
+        BOOST_TEST(same_bits(evaluate(poisoned, scheme->id).numbers(), evaluate(scene, scheme->id).numbers()),
+                   scheme->id);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_declared_read_matter, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(2, count);
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    auto const before = evaluate(scene, scheme->id).numbers();
+    for (FieldInfo const& field : field_infos) {
+      bool const always = field.field == Field::position || field.field == Field::mass;
+      if (!always && !scheme->reads.contains(field.field)) continue;
+      Scene<Dim> changed = scene;
+      for (std::size_t i = 0; i < count; i += 3) {
+        if (field.is_vector) {
+          changed.particles.vector(field.field).set(i, 0.99 * scene.particles.vector(field.field)[i]);
+        } else {
+          changed.particles.scalar(field.field)[i] *= 0.99;
+        }
+      }
+      // Positions move by 1% towards the origin, which no wall of the scene forbids to a tenth of the gap.
+      if (field.field == Field::position) {
+        changed.particles.positions() = scene.particles.positions();
+        changed.particles.positions().add(5, Vector<Dim>::Constant(1e-3));
+      }
+      BOOST_TEST(relative_difference(evaluate(changed, scheme->id).numbers(), before) > 1e-6,
+                 scheme->id << " does not read " << field.name);
+    }
+  }
+}
+
+template <int Dim>
+void poison(Wall<Dim>& wall, BoundaryValueSet values) {
+  auto const scalar = [](Vector<Dim> const&, double) { return nan; };
+  auto const vector = [](Vector<Dim> const&, double) -> Vector<Dim> { return Vector<Dim>::Constant(nan); };
+  if (values.contains(BoundaryValue::pressure)) wall.pressure = scalar;
+  if (values.contains(BoundaryValue::velocity)) wall.velocity = vector;
+  if (values.contains(BoundaryValue::temperature)) wall.temperature = scalar;
+  if (values.contains(BoundaryValue::conductivity)) wall.conductivity = scalar;
+  if (values.contains(BoundaryValue::flux)) wall.flux = vector;
+}
+
+constexpr BoundaryValue boundary_values[] = {BoundaryValue::pressure, BoundaryValue::velocity,
+                                             BoundaryValue::temperature, BoundaryValue::conductivity,
+                                             BoundaryValue::flux};
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(wall_values_that_are_not_declared_read_are_not_read_and_those_declared_are, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(3, count, subset(15), subset(15));
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    auto const before = evaluate(scene, scheme->id).numbers();
+    for (BoundaryValue const value : boundary_values) {
+      Scene<Dim> poisoned = scene;
+      poison(poisoned.walls[0], {value});
+      bool const changed = !same_bits(evaluate(poisoned, scheme->id).numbers(), before);
+      // These walls prescribe temperature too, so that a scheme which takes the flux only for want of it takes none.
+      BOOST_TEST(changed == scheme->boundary.contains(value), scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wall_values_that_a_scheme_reads_if_prescribed_matter_where_they_stand_alone) {
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    for (BoundaryValue const value : boundary_values) {
+      if (!scheme->boundary_if_prescribed.contains(value)) continue;
+      Scene<2> scene = random_scene<2>(3, count, {value}, {});
+      auto const before = evaluate(scene, scheme->id).numbers();
+      poison(scene.walls[0], {value});
+      BOOST_TEST(!same_bits(evaluate(scene, scheme->id).numbers(), before), scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_random_states_are_finite, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (std::uint64_t seed = 0; seed < 16; ++seed) {
+    for (std::size_t const particles : {1u, 2u, 3u, 4u, 50u}) {
+      for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
+        Scene<Dim> scene = random_scene<Dim>(seed, particles, subset(static_cast<unsigned>(seed)), subset(5));
+        scene.face_weight = rule;
+        scene.closure = seed % 2 == 0 ? Closure::interpolated : Closure::one_sided;
+        for (SchemeInfo const* scheme : all_scheme_infos()) {
+          Rates<Dim> const rates = evaluate(scene, scheme->id);
+          BOOST_TEST(std::isfinite(largest(rates.numbers())), scheme->id << " with " << particles << " particles");
+          BOOST_TEST(std::isfinite(largest(rates.wall_power)), scheme->id);
+          BOOST_TEST(std::isfinite(largest(rates.wall_force)), scheme->id);
+        }
+      }
+    }
+  }
+}
+
+// A particle alone, barely within reach of a wall, sees nothing but itself from its foot point.
+BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_finite_at_the_edge_of_a_walls_reach, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::size_t failures = 0;
+  std::size_t met = 0;
+  Random random(5);
+  for (int n = 0; n < 300; ++n) {
+    Scene<Dim> scene = random_scene<Dim>(static_cast<std::uint64_t>(n), 1);
+    double const h = scene.particles.smoothing_length();
+    scene.walls.pop_back();
+    Vector<Dim> const normal = scene.walls[0].outward_normal;
+    scene.walls[0].point =
+        scene.particles.positions()[0] + 2.0 * h * (1.0 - std::pow(10.0, random.uniform(-16.0, -8.0))) * normal;
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      ++met;
+      failures += std::isfinite(largest(evaluate(scene, scheme->id).numbers())) ? 0 : 1;
+    }
+  }
+  BOOST_TEST(failures == 0u, failures << " of " << met << " are not finite");
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(particle_without_neighbours_or_walls_has_rate_zero, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_scene<Dim>(1, 1);
+  for (bool const far_walls : {false, true}) {
+    for (Wall<Dim>& wall : scene.walls) wall.point += 10.0 * wall.outward_normal;
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      Rates<Dim> const rates = evaluate(scene, scheme->id, far_walls);
+      BOOST_TEST(largest(rates.numbers()) == 0.0, scheme->id);
+      BOOST_TEST(largest(rates.flux) == 0.0, scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(negative_values_are_refused_by_name_where_a_scheme_is_undefined_for_them, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    auto const names = [&](std::string const& what) {
+      return [&scheme, what](UndefinedRate const& problem) {
+        std::string const message = problem.what();
+        return message.find(scheme->id) != std::string::npos && message.find(what) != std::string::npos;
+      };
+    };
+    Scene<Dim> const scene = random_scene<Dim>(6, count);
+    Scene<Dim> inside = scene;
+    inside.particles.scalar(Field::pressure)[17] = -1e-9;
+    Scene<Dim> at_wall = scene;
+    at_wall.walls[1].pressure = [](Vector<Dim> const&, double) { return -1e-9; };
+    Scene<Dim> unknown = scene;
+    unknown.particles.scalar(Field::pressure)[17] = 0.0;
+    BOOST_CHECK_NO_THROW(evaluate(unknown, scheme->id));
+    if (scheme->non_negative.contains(Field::pressure)) {
+      BOOST_CHECK_EXCEPTION(evaluate(inside, scheme->id), UndefinedRate, names("particle 17"));
+      BOOST_CHECK_EXCEPTION(evaluate(at_wall, scheme->id), UndefinedRate, names("wall 1"));
+      BOOST_CHECK_NO_THROW(evaluate(at_wall, scheme->id, false));
+    } else {
+      BOOST_CHECK_NO_THROW(evaluate(inside, scheme->id));
+      BOOST_CHECK_NO_THROW(evaluate(at_wall, scheme->id));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,164 @@
+#include <boost/test/unit_test.hpp>
+
+#include "tests/support/random_particles.hpp"
+
+BOOST_AUTO_TEST_SUITE(scheme_walls)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+constexpr std::size_t count = 60;
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(without_contacts_the_walls_are_not_felt, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(1, count);
+  Scene<Dim> open = scene;
+  open.walls.clear();
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    Rates<Dim> const control = evaluate(scene, scheme->id, false);
+    BOOST_TEST(same_bits(control.numbers(), evaluate(open, scheme->id).numbers()), scheme->id);
+    BOOST_TEST(control.work.wall_interactions == 0u);
+    BOOST_TEST(control.wall_force.empty());
+    BOOST_TEST(control.wall_power.empty());
+    BOOST_TEST(relative_difference(evaluate(scene, scheme->id).numbers(), control.numbers()) > 1e-2, scheme->id);
+  }
+}
+
+/// Particles that a wall's term can reach: in contact with it, or of a two-pass form beside one that is.
+template <int Dim>
+std::vector<bool> within_reach_of_walls(Scene<Dim> const& scene, bool two_pass) {
+  PairGeometry<Dim> const geometry = geometry_of(scene, {});
+  std::vector<bool> touched(count, false);
+  for (auto const& contacts : geometry.contacts) {
+    for (std::uint32_t const i : contacts.particle) touched[i] = true;
+  }
+  std::vector<bool> reached = touched;
+  for (std::uint32_t i = 0; two_pass && i < count; ++i) {
+    for (std::uint32_t const j : geometry.neighbours.row(i)) {
+      if (touched[j]) reached[i] = true;
+    }
+  }
+  return reached;
+}
+
+BOOST_AUTO_TEST_CASE(walls_reach_two_smoothing_lengths_and_four_in_two_passes) {
+  Scene<1> const scene = random_scene<1>(1, count);
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    auto const with = evaluate(scene, scheme->id).numbers();
+    auto const without = evaluate(scene, scheme->id, false).numbers();
+    std::vector<bool> const reached = within_reach_of_walls(scene, scheme->two_pass);
+    std::size_t untouched = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      BOOST_TEST((with[i] != without[i]) == reached[i], scheme->id << ", particle " << i);
+      untouched += reached[i] ? 0 : 1;
+    }
+    BOOST_TEST(untouched > 0u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_each_wall_adds, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(2, count);
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (scheme->two_pass) continue;  // there the walls act through the first pass as well
+    Rates<Dim> const both = evaluate(scene, scheme->id);
+    for (std::size_t w = 0; w < 2; ++w) {
+      Scene<Dim> one = scene;  // the other wall alone
+      one.walls.erase(one.walls.begin() + static_cast<std::ptrdiff_t>(w));
+      Rates<Dim> const other = evaluate(one, scheme->id);
+      double power = 0.0;
+      Vector<Dim> force = Vector<Dim>::Zero();
+      for (std::size_t i = 0; i < count; ++i) {
+        double const m = scene.particles.masses()[i];
+        if (scheme->rate == Rate::acceleration) force += m * (both.acceleration[i] - other.acceleration[i]);
+        else power += m * (both.heating[i] - other.heating[i]);
+      }
+      if (scheme->rate == Rate::acceleration) {
+        BOOST_TEST((force - both.wall_force[w]).norm() < 1e-11 * largest(both.wall_force), scheme->id);
+      } else {
+        BOOST_TEST(std::abs(power - both.wall_power[w]) < 1e-11 * largest(both.wall_power), scheme->id);
+      }
+    }
+  }
+}
+
+/// Scenes in which heating is linear in temperature and in conductivity: no flux is prescribed.
+template <int Dim>
+std::vector<Scene<Dim>> without_prescribed_flux() {
+  std::vector<Scene<Dim>> list;
+  for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
+    list.push_back(random_scene<Dim>(3, count));
+    list.back().closure = closure;
+    list.push_back(random_scene<Dim>(4, count, no_flux, {}));
+    list.back().closure = closure;
+  }
+  return list;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_conductivity_gives_twice_the_heating, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (Scene<Dim> const& scene : without_prescribed_flux<Dim>()) {
+    Scene<Dim> twice = scene;
+    for (double& K : twice.particles.scalar(Field::conductivity)) K *= 2.0;
+    for (Wall<Dim>& wall : twice.walls) {
+      if (!wall.conductivity) continue;
+      wall.conductivity = [old = wall.conductivity](Vector<Dim> const& x, double t) { return 2.0 * old(x, t); };
+    }
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->rate != Rate::conduction_heating) continue;
+      std::vector<double> expected = evaluate(scene, scheme->id).heating;
+      for (double& rate : expected) rate *= 2.0;
+      BOOST_TEST(same_bits(evaluate(twice, scheme->id).heating, expected), scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_temperature_gives_twice_the_heating, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (Scene<Dim> const& scene : without_prescribed_flux<Dim>()) {
+    Scene<Dim> twice = scene;
+    for (double& T : twice.particles.scalar(Field::temperature)) T *= 2.0;
+    for (Wall<Dim>& wall : twice.walls) {
+      if (!wall.temperature) continue;
+      wall.temperature = [old = wall.temperature](Vector<Dim> const& x, double t) { return 2.0 * old(x, t); };
+    }
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->rate != Rate::conduction_heating) continue;
+      std::vector<double> expected = evaluate(scene, scheme->id).heating;
+      for (double& rate : expected) rate *= 2.0;
+      BOOST_TEST(same_bits(evaluate(twice, scheme->id).heating, expected), scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(hot_wall_heats_and_high_pressure_pushes_inwards, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 9 : 12, 0.1, 1.2);
+  std::size_t const n = scene.particles.size();
+  for (Field const field : {Field::pressure, Field::temperature, Field::conductivity}) {
+    scene.particles.scalar(field).assign(n, 1.0);
+  }
+  Vector<Dim> const normal = Vector<Dim>::Unit(0);
+  scene.walls.push_back({.point = scene.domain.upper, .outward_normal = normal});
+  Wall<Dim>& wall = scene.walls[0];
+  auto const set = [&wall, &normal](double value, double speed) {
+    wall.pressure = [value](Vector<Dim> const&, double) { return value; };
+    wall.temperature = wall.pressure;
+    wall.conductivity = [](Vector<Dim> const&, double) { return 1.0; };
+    wall.velocity = [speed, normal](Vector<Dim> const&, double) -> Vector<Dim> { return speed * normal; };
+  };
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    // A wall that advances compresses. The two-pass forms feel the temperature through the particles' fluxes.
+    set(1.0, 0.0);
+    auto const neutral = evaluate(scene, scheme->id);
+    set(3.0, -1.0);
+    auto const driven = evaluate(scene, scheme->id);
+    if (scheme->rate == Rate::acceleration) {
+      BOOST_TEST(driven.wall_force[0].dot(normal) < neutral.wall_force[0].dot(normal), scheme->id);
+    } else {
+      BOOST_TEST(driven.wall_power[0] > neutral.wall_power[0], scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,80 @@
+#include <boost/test/unit_test.hpp>
+
+#include "tests/support/dense.hpp"
+
+BOOST_AUTO_TEST_SUITE(formulations_conduction_brookshaw)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+constexpr std::string_view id = "conduction/brookshaw";
+
+/// Eq. 63; at a wall of prescribed flux only -2 F_B.S_i/rho_i.
+template <int Dim>
+std::vector<double> equation(dense::State<Dim> const& s, bool with_walls) {
+  std::vector<double> rate(s.particles(), 0.0);
+  for (std::size_t i = 0; i < s.particles(); ++i) {
+    for (std::size_t j = 0; j < s.particles(); ++j) {
+      if (j == i) continue;
+      Vector<Dim> const r = s.x(i) - s.x(j);
+      rate[i] += s.m(j) * (s.K(i) + s.K(j)) / (s.rho(i) * s.rho(j)) * (s.T(i) - s.T(j)) *
+                 r.dot(s.gradient(i, j)) / r.squaredNorm();
+    }
+    for (std::size_t w = 0; with_walls && w < s.walls(); ++w) {
+      if (!s.touches(i, w)) continue;
+      if (s.flux_only(w)) {
+        rate[i] -= 2.0 * s.F(i, w, {}).dot(s.S(i, w)) / s.rho(i);
+      } else {
+        rate[i] += (s.K(i) + s.K(i, w)) / s.rho(i) * (s.T(i, w) - s.T(i)) / s.d(i, w) * s.A(i, w);
+      }
+    }
+  }
+  return rate;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimensions) {
+  BOOST_TEST(dense::deviation<D::value>(id, [](auto const& s, bool walls) { return equation(s, walls); }) <
+             dense::round_off);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(insulated_wall_gives_nothing, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_scene<Dim>(2, 40, {}, {});
+  for (Wall<Dim>& wall : scene.walls) {
+    wall.flux = [](Vector<Dim> const&, double) -> Vector<Dim> { return Vector<Dim>::Zero(); };
+  }
+  auto const rates = evaluate(scene, id);
+  BOOST_TEST(same_bits(rates.heating, evaluate(scene, id, false).heating));
+  BOOST_TEST(rates.wall_power[0] == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(prescribed_flux_enters_whole_on_a_fine_lattice) {
+  Scene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
+  scene.particles.scalar(Field::temperature).assign(400, 1.0);
+  scene.particles.scalar(Field::conductivity).assign(400, 1.0);
+  scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});
+  scene.walls[0].flux = [](Vector<1> const&, double) { return Vector<1>(0.7); };  // into the fluid
+  BOOST_TEST(evaluate(scene, id).wall_power[0] == 0.7, boost::test_tools::tolerance(1e-3));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(heat_flows_from_hot_to_cold_in_every_pair, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Scene<Dim> const scene = random_scene<Dim>(seed, 2);
+    auto const& T = scene.particles.scalar(Field::temperature);
+    BOOST_TEST(evaluate(scene, id, false).heating[0] * (T[1] - T[0]) >= 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_temperature_is_exactly_steady_on_disorder, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_scene<Dim>(3, 40, {}, {});
+  scene.particles.scalar(Field::temperature).assign(40, 1.7);
+  for (Wall<Dim>& wall : scene.walls) {
+    wall.temperature = [](Vector<Dim> const&, double) { return 1.7; };
+    wall.conductivity = [](Vector<Dim> const&, double) { return 0.9; };
+  }
+  BOOST_TEST(largest(evaluate(scene, id).heating) == 0.0);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

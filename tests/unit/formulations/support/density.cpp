@@ -1,0 +1,129 @@
+#include "formulations/support/density.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "tests/support/dense.hpp"
+
+BOOST_AUTO_TEST_SUITE(formulations_support_density)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+/// A lattice on [0, depth] along x between walls at both ends, periodic along the other axes.
+template <int Dim>
+Scene<Dim> slab(int depth, int width, double smoothing_ratio) {
+  std::size_t count = static_cast<std::size_t>(depth);
+  for (int k = 1; k < Dim; ++k) count *= static_cast<std::size_t>(width);
+  Scene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio),
+                   .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Constant(width)}};
+  scene.domain.upper[0] = depth;
+  scene.domain.periodic.fill(true);
+  scene.domain.periodic[0] = false;
+  scene.particles.allocate(all_fields);
+  for (std::size_t i = 0; i < count; ++i) {
+    Vector<Dim> x;
+    x[0] = static_cast<double>(i % static_cast<std::size_t>(depth)) + 0.5;
+    std::size_t rest = i / static_cast<std::size_t>(depth);
+    for (int k = 1; k < Dim; ++k) {
+      x[k] = static_cast<double>(rest % static_cast<std::size_t>(width)) + 0.5;
+      rest /= static_cast<std::size_t>(width);
+    }
+    scene.particles.positions().set(i, x);
+    scene.particles.masses()[i] = 1.0;
+    scene.particles.scalar(Field::density)[i] = 1.0;
+  }
+  Vector<Dim> const n = Vector<Dim>::Unit(0);
+  scene.walls.push_back({.point = Vector<Dim>::Zero(), .outward_normal = -n});
+  scene.walls.push_back({.point = depth * n, .outward_normal = n});
+  return scene;
+}
+
+template <int Dim>
+std::vector<double> summation(Scene<Dim> const& scene) {
+  double const h = scene.particles.smoothing_length();
+  CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
+  return summation_density(grid, h, scene.particles.masses());
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(summation_is_a_dense_sum_with_the_particle_itself, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (std::size_t const count : {1u, 2u, 60u}) {
+    Scene<Dim> const scene = random_scene<Dim>(count, count);
+    dense::State<Dim> const s(scene);
+    std::vector<double> expected(count, 0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      for (std::size_t j = 0; j < count; ++j) {
+        expected[i] += s.m(j) * dense::kernel<Dim>((s.x(i) - s.x(j)).norm(), s.h());
+      }
+    }
+    BOOST_TEST(relative_difference(summation(scene), expected) < 1e-13);
+  }
+}
+
+// Eq. 5. The first particle is half a spacing from the wall, so that what it sees is Gamma(dx/2), and Gamma(0) = 1/2
+// only in the limit of many particles in the kernel.
+BOOST_AUTO_TEST_CASE(summation_falls_to_half_at_a_wall_as_the_kernel_is_resolved) {
+  double last = 1.0;
+  for (double const ratio : {1.2, 4.0, 16.0, 64.0}) {
+    double const density = summation(slab<1>(400, 1, ratio))[0];
+    double const gamma = dense::inner_fraction<1>(0.5, ratio);
+    BOOST_TEST_MESSAGE("h/dx = " << ratio << ": density of the first particle " << density << ", Gamma " << gamma);
+    BOOST_TEST(density == gamma, boost::test_tools::tolerance(ratio < 2.0 ? 0.01 : 1e-3));
+    BOOST_TEST(density < last);
+    last = density;
+  }
+  BOOST_TEST(last == 0.5, boost::test_tools::tolerance(0.02));
+}
+
+template <int Dim>
+struct Resolved {
+  static Scene<Dim> slab_of() {
+    if constexpr (Dim == 1) return slab<1>(100, 1, 8.0);
+    else if constexpr (Dim == 2) return slab<2>(26, 24, 6.0);
+    else return slab<3>(12, 11, 2.7);
+  }
+};
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(normalised_summation_restores_a_uniform_density_up_to_the_wall, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = Resolved<Dim>::slab_of();
+  std::vector<double> density = summation(scene);
+  BOOST_TEST(density[0] < 0.7);
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    density[i] /= kernel_inside(scene.particles.positions()[i], scene.walls, scene.particles.smoothing_length());
+  }
+  BOOST_TEST(relative_difference(density, std::vector<double>(density.size(), 1.0)) < 0.005);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_loses_what_lies_beyond_each_of_two_parallel_walls, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::vector<Wall<Dim>> walls = Resolved<Dim>::slab_of().walls;
+  walls[1].point[0] = 1.5;
+  Vector<Dim> const x = Vector<Dim>::Constant(0.4);
+  double const h = 0.9;
+  double const expected = dense::inner_fraction<Dim>(0.4, h) + dense::inner_fraction<Dim>(1.1, h) - 1.0;
+  BOOST_TEST(kernel_inside(x, walls, h) == expected, boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(kernel_inside(x, {}, h) == 1.0);
+}
+
+/// What Eq. 74 makes of the constant one at a wall of a 1D lattice with summation density.
+double interpolated_constant(double smoothing_ratio) {
+  Scene<1> scene = slab<1>(400, 1, smoothing_ratio);
+  scene.particles.scalar(Field::density) = summation(scene);
+  scene.particles.scalar(Field::pressure).assign(400, 1.0);
+  PairGeometry<1> geometry = geometry_of(scene, {});
+  fill_boundary_values(geometry.contacts[0], geometry.walls[0], scene.particles, {BoundaryValue::pressure},
+                       Closure::interpolated, 0.0);
+  return geometry.contacts[0].pressure[0];
+}
+
+// The volumes m/rho swell at the wall: the limit is 2 int W/Gamma = 2 [ln Gamma] = 2 ln 2.
+BOOST_AUTO_TEST_CASE(wall_interpolation_of_a_constant_with_summation_density_is_too_large) {
+  for (double const ratio : {1.0, 1.2, 4.0, 16.0, 64.0}) {
+    BOOST_TEST_MESSAGE("h/dx = " << ratio << ": the constant 1 is interpolated as " << interpolated_constant(ratio));
+  }
+  BOOST_TEST(interpolated_constant(1.2) == 1.25, boost::test_tools::tolerance(0.005));
+  BOOST_TEST(interpolated_constant(64.0) == 2.0 * std::numbers::ln2, boost::test_tools::tolerance(2e-3));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

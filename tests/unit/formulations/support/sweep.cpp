@@ -1,0 +1,61 @@
+#include "formulations/support/sweep.hpp"
+
+#include <atomic>
+#include <boost/test/unit_test.hpp>
+
+#include "tests/support/random_particles.hpp"
+
+BOOST_AUTO_TEST_SUITE(formulations_support_sweep)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+BOOST_AUTO_TEST_CASE(every_row_is_called_exactly_once_at_any_number_of_threads) {
+  for (int const threads : {1, 2, 4}) {
+    for (std::size_t const count : {0u, 1u, 1023u, 1024u, 1025u, 10000u}) {
+      std::vector<std::atomic<int>> calls(count);
+      for_each_row(count, threads, [&](std::size_t i) { ++calls[i]; });
+      bool once = true;
+      for (auto const& n : calls) once = once && n == 1;
+      BOOST_TEST(once, count << " rows, " << threads << " threads");
+    }
+  }
+}
+
+// 5000 rows are five blocks of 1024, so that several threads really share them.
+BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_identical_bit_for_bit_at_any_number_of_threads, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(9, 5000);
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    Rates<Dim> const one = evaluate(scene, scheme->id, true, 1);
+    for (int const threads : {2, 4}) {
+      Rates<Dim> const several = evaluate(scene, scheme->id, true, threads);
+      BOOST_TEST(same_bits(several.numbers(), one.numbers()), scheme->id << " at " << threads << " threads");
+      BOOST_TEST(same_bits(several.wall_power, one.wall_power), scheme->id);
+      BOOST_TEST(relative_difference(several.wall_force, one.wall_force) == 0.0, scheme->id);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_what_it_gave) {
+  Scene<1> const scene = random_scene<1>(1, 20);
+  PairGeometry<1> const geometry = geometry_of(scene, {KernelWeight::gradient});
+  std::vector<double> out(20, 99.0);
+  sweep_pairs<double>(geometry.neighbours, geometry.weights, scene.particles, 1, out,
+                      [](auto const&, auto const&, auto const&) { return 1.0; });
+  for (std::size_t i = 0; i < 20; ++i) {
+    BOOST_TEST(out[i] == static_cast<double>(geometry.neighbours.row(i).size()));
+  }
+  std::vector<double> const pairs_only = out;
+  double expected = 0.0;
+  double const given = sweep_wall<double>(geometry.contacts[0], scene.particles, out,
+                                          [](auto const&, auto const& B) { return B.d(); });
+  for (std::size_t c = 0; c < geometry.contacts[0].size(); ++c) {
+    std::uint32_t const i = geometry.contacts[0].particle[c];
+    BOOST_TEST(out[i] == pairs_only[i] + geometry.contacts[0].distance[c]);
+    expected += scene.particles.masses()[i] * geometry.contacts[0].distance[c];
+  }
+  BOOST_TEST(given == expected, boost::test_tools::tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

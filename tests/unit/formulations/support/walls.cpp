@@ -1,0 +1,327 @@
+#include "formulations/support/walls.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <string>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "tests/support/dense.hpp"
+
+BOOST_AUTO_TEST_SUITE(formulations_support_walls)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+using boost::test_tools::tolerance;
+
+template <int Dim>
+WallContacts<Dim> contacts_of(Scene<Dim> const& scene, std::size_t wall = 0) {
+  return geometry_of(scene, {}).contacts[wall];
+}
+
+/// Both walls of a random scene with no corner: parallel, across the first axis.
+template <int Dim>
+Scene<Dim> random_slab(std::uint64_t seed, std::size_t count) {
+  Scene<Dim> scene = random_scene<Dim>(seed, count, {}, {});
+  scene.walls[0] = {.point = Vector<Dim>::Constant(-0.01), .outward_normal = -Vector<Dim>::Unit(0)};
+  scene.walls[1] = {.point = Vector<Dim>::Constant(1.01), .outward_normal = Vector<Dim>::Unit(0)};
+  return scene;
+}
+
+BOOST_AUTO_TEST_CASE(distance_is_positive_inside_and_the_foot_lies_on_the_plane) {
+  Vector<2> const n(0.6, 0.8);
+  Wall<2> const wall{.point = {1.0, 1.0}, .outward_normal = n};
+  Vector<2> const x = Vector<2>(1.0, 1.0) - 0.3 * n + 0.7 * Vector<2>(-0.8, 0.6);
+  BOOST_TEST(wall.distance(x) == 0.3, tolerance(1e-14));
+  BOOST_TEST((wall.foot(x) - (Vector<2>(1.0, 1.0) + 0.7 * Vector<2>(-0.8, 0.6))).norm() < 1e-15);
+  BOOST_TEST(wall.distance(wall.point + 0.2 * n) == -0.2, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE(wall_knows_what_it_prescribes) {
+  Wall<1> wall{.point = Vector<1>(0.0), .outward_normal = Vector<1>(-1.0)};
+  constexpr BoundaryValue values[] = {BoundaryValue::pressure, BoundaryValue::velocity, BoundaryValue::temperature,
+                                      BoundaryValue::conductivity, BoundaryValue::flux};
+  for (BoundaryValue const value : values) BOOST_TEST(!wall.prescribes(value));
+  wall.velocity = [](Vector<1> const&, double) { return Vector<1>(0.0); };
+  wall.conductivity = [](Vector<1> const&, double) { return 1.0; };
+  for (BoundaryValue const value : values) {
+    BOOST_TEST(wall.prescribes(value) == (value == BoundaryValue::velocity || value == BoundaryValue::conductivity));
+  }
+}
+
+// docs/theory/face-weights.md. The report multiplies the kernel's value at the foot point by the whole area.
+BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_wall_is_too_large_by_8_3_in_2d_and_40_7_in_3d) {
+  double const h = 0.3;
+  auto const ratio = [h](auto dim) {
+    constexpr int Dim = decltype(dim)::value;
+    return face_weight<Dim>(0.0, h, FaceWeight::campbell) / face_weight<Dim>(0.0, h, FaceWeight::exact);
+  };
+  BOOST_TEST(ratio(std::integral_constant<int, 1>{}) == 1.0);
+  BOOST_TEST(ratio(std::integral_constant<int, 2>{}) == 8.0 / 3.0, tolerance(1e-14));
+  BOOST_TEST(ratio(std::integral_constant<int, 3>{}) == 40.0 / 7.0, tolerance(1e-14));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(campbells_face_weight_is_equations_69_to_71, D, Dimensions) {
+  constexpr int Dim = D::value;
+  double const h = 0.3;
+  for (double const q : {0.0, 0.4, 1.0, 1.7, 1.999, 2.0, 2.5}) {
+    double const d = q * h;
+    double const constant[] = {1.0, 2.0, std::numbers::pi};
+    double const area = q < 2.0 ? constant[Dim - 1] * std::pow(4.0 * h * h - d * d, 0.5 * (Dim - 1)) : 0.0;
+    BOOST_TEST(face_weight<Dim>(d, h, FaceWeight::campbell) == dense::kernel<Dim>(d, h) * area, tolerance(1e-11));
+    BOOST_TEST(face_weight<Dim>(d, h, FaceWeight::exact) == CubicSpline<Dim>::plane_integral(d, h));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(contacts_are_the_particles_within_reach_with_their_geometry, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
+    for (bool const corner : {false, true}) {
+      Scene<Dim> scene = corner ? random_scene<Dim>(4, 60) : random_slab<Dim>(4, 60);
+      scene.face_weight = rule;
+      dense::State<Dim> const s(scene);
+      for (std::size_t w = 0; w < 2; ++w) {
+        WallContacts<Dim> const contacts = contacts_of(scene, w);
+        std::size_t c = 0;
+        for (std::size_t i = 0; i < 60; ++i) {
+          if (!s.touches(i, w)) continue;
+          BOOST_TEST_REQUIRE(c < contacts.size());
+          BOOST_TEST(contacts.particle[c] == i);
+          BOOST_TEST(contacts.distance[c] == s.d(i, w), tolerance(1e-13));
+          BOOST_TEST(std::abs(contacts.face_weight[c] - s.A(i, w)) < 1e-12 / s.h());
+          BOOST_TEST((contacts.foot[c] - s.foot(i, w)).norm() < 1e-14);
+          BOOST_TEST(contacts.foot_density[c] == s.rho(i, w), tolerance(1e-9));
+          ++c;
+        }
+        BOOST_TEST(contacts.size() == c);
+        BOOST_TEST((contacts.outward_normal - s.n(w)).norm() == 0.0);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(balanced_weight_leaves_a_uniform_state_without_force_along_the_normal, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const disorder : {false, true}) {
+    Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 8 : 14, 0.1, 1.2);
+    if (disorder) {
+      Random random(3);
+      auto& positions = scene.particles.positions();
+      for (std::size_t i = 0; i < positions.size(); ++i) positions.add(i, random.vector<Dim>(-0.02, 0.02));
+      for (double& rho : scene.particles.scalar(Field::density)) rho = random.uniform(0.8, 1.2);
+    }
+    scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<Dim>::Unit(Dim - 1)});
+    scene.face_weight = FaceWeight::balanced;
+    dense::State<Dim> const s(scene);
+    WallContacts<Dim> const contacts = contacts_of(scene);
+    BOOST_TEST_REQUIRE(contacts.size() > 0u);
+    double worst = 0.0;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      std::size_t const i = contacts.particle[c];
+      Vector<Dim> residual = contacts.face_weight[c] * contacts.outward_normal;
+      for (std::size_t j = 0; j < s.particles(); ++j) residual += s.m(j) / s.rho(j) * s.gradient(i, j);
+      worst = std::max(worst, std::abs(residual[Dim - 1]));
+    }
+    BOOST_TEST(worst < 1e-13 / s.h());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(balanced_weight_falls_back_to_exact_where_two_walls_are_near) {
+  Scene<2> scene = lattice_scene<2>(14, 0.1, 1.2);
+  scene.walls.push_back({.point = scene.domain.upper, .outward_normal = {1.0, 0.0}});
+  scene.walls.push_back({.point = scene.domain.upper, .outward_normal = {0.0, 1.0}});
+  scene.face_weight = FaceWeight::balanced;
+  WallContacts<2> const contacts = contacts_of(scene);
+  double const reach = 2.0 * scene.particles.smoothing_length();
+  std::size_t corner = 0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    double const exact = face_weight<2>(contacts.distance[c], 0.5 * reach, FaceWeight::exact);
+    bool const near_both = scene.walls[1].distance(contacts.foot[c]) < reach;
+    corner += near_both ? 1 : 0;
+    BOOST_TEST((contacts.face_weight[c] == exact) == near_both);
+  }
+  BOOST_TEST(corner > 0u);
+}
+
+// equations.md: the balanced weight "can be negative on disorder".
+BOOST_AUTO_TEST_CASE(balanced_weight_can_be_negative_on_disorder) {
+  double least = 1.0;
+  for (std::uint64_t seed = 0; seed < 20; ++seed) {
+    Scene<2> scene = random_slab<2>(seed, 60);
+    scene.face_weight = FaceWeight::balanced;
+    for (double const A : contacts_of(scene).face_weight) least = std::min(least, A);
+  }
+  BOOST_TEST(least < 0.0);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(particle_on_or_outside_a_wall_is_refused_by_name, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (double const outside : {0.0, 0.3}) {
+    Scene<Dim> scene = random_slab<Dim>(1, 20);
+    Vector<Dim> x = scene.particles.positions()[13];
+    x[0] = 1.01 + outside;
+    scene.particles.positions().set(13, x);
+    auto const names_it = [](std::invalid_argument const& problem) {
+      return std::string(problem.what()).find("particle 13 ") != std::string::npos;
+    };
+    BOOST_CHECK_EXCEPTION(contacts_of(scene, 1), std::invalid_argument, names_it);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(particle_exactly_at_reach_is_no_contact) {
+  Scene<1> scene{.particles = Particles<1>(2, 0.25), .domain = {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0)}};
+  scene.particles.allocate(all_fields);
+  scene.particles.positions().component(0) = {0.5, 0.25};
+  scene.walls.push_back({.point = Vector<1>(0.0), .outward_normal = Vector<1>(-1.0)});
+  WallContacts<1> const contacts = contacts_of(scene);
+  BOOST_TEST_REQUIRE(contacts.size() == 1u);
+  BOOST_TEST(contacts.particle[0] == 1u);
+}
+
+// Eqs. 13, 73: twice the sum over half the kernel gives the density itself.
+BOOST_AUTO_TEST_CASE_TEMPLATE(foot_density_of_a_uniform_lattice_is_about_its_density_and_exactly_a_dense_sum, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 12 : 20, 0.1, 1.3);
+  scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<Dim>::Unit(0)});
+  dense::State<Dim> const s(scene);
+  WallContacts<Dim> const contacts = contacts_of(scene);
+  CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * s.h());
+  double closest = 1.0;
+  for (std::size_t c = 0; c < contacts.size(); c += 7) {
+    double const expected = s.rho(contacts.particle[c], 0);
+    BOOST_TEST(contacts.foot_density[c] == expected, tolerance(1e-12));
+    BOOST_TEST(foot_density(grid, contacts.foot[c], s.h(), scene.particles.masses()) == expected, tolerance(1e-12));
+    closest = std::min(closest, std::abs(expected - 1.0));
+  }
+  BOOST_TEST(closest < 0.02);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(values_that_the_wall_does_not_prescribe_are_interpolated, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_slab<Dim>(2, 60);
+  Random random(8);
+  for (std::size_t i = 0; i < 60; ++i) scene.particles.vector(Field::flux).set(i, random.vector<Dim>(-1.0, 1.0));
+  auto& flux = scene.particles.vector(Field::flux);
+  std::vector<Vector<Dim>> fluxes;
+  for (std::size_t i = 0; i < 60; ++i) fluxes.push_back(flux[i]);
+  WallContacts<Dim> contacts = contacts_of(scene);
+  fill_boundary_values(contacts, scene.walls[0], scene.particles,
+                       {BoundaryValue::pressure, BoundaryValue::velocity, BoundaryValue::temperature,
+                        BoundaryValue::conductivity, BoundaryValue::flux},
+                       Closure::interpolated, 0.0);
+  dense::State<Dim> const s(scene);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::size_t const i = contacts.particle[c];
+    BOOST_TEST(contacts.pressure[c] == s.P(i, 0), tolerance(1e-9));
+    BOOST_TEST((contacts.velocity[c] - s.v(i, 0)).norm() < 1e-12);
+    BOOST_TEST(contacts.temperature[c] == s.T(i, 0), tolerance(1e-9));
+    BOOST_TEST(contacts.conductivity[c] == s.K(i, 0), tolerance(1e-9));
+    BOOST_TEST((contacts.flux[c] - s.F(i, 0, fluxes)).norm() < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(interpolation_of_a_constant_is_twice_the_volume_weighted_kernel_sum) {
+  Scene<1> scene = lattice_scene<1>(40, 0.05, 1.0);
+  scene.particles.scalar(Field::pressure).assign(40, 3.0);
+  scene.walls.push_back({.point = Vector<1>(1.0), .outward_normal = Vector<1>(1.0)});
+  WallContacts<1> contacts = contacts_of(scene);
+  fill_boundary_values(contacts, scene.walls[0], scene.particles, {BoundaryValue::pressure}, Closure::interpolated,
+                       0.0);
+  // Particles 0.5 and 1.5 h from the wall: 2 (W(0.5) + W(1.5)) h = 2 (23/48 + 1/48) = 1.
+  for (double const P : contacts.pressure) BOOST_TEST(P == 3.0, tolerance(1e-12));
+  BOOST_TEST(contacts.temperature.empty());  // was not asked for
+  BOOST_TEST(contacts.velocity.size() == 0u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(prescribed_values_are_taken_at_the_foot_point_and_at_the_time, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_slab<Dim>(3, 60);
+  Wall<Dim>& wall = scene.walls[1];
+  wall.pressure = [](Vector<Dim> const& x, double t) { return 1.0 + x.sum() + 10.0 * t; };
+  wall.temperature = [](Vector<Dim> const& x, double t) { return 2.0 + x.sum() - 3.0 * t; };
+  wall.conductivity = [](Vector<Dim> const& x, double t) { return 3.0 + x.sum() + t; };
+  wall.velocity = [](Vector<Dim> const& x, double t) -> Vector<Dim> { return t * x; };
+  wall.flux = [](Vector<Dim> const& x, double t) -> Vector<Dim> { return (1.0 - t) * x; };
+  WallContacts<Dim> contacts = contacts_of(scene, 1);
+  for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
+    for (double const t : {0.0, 2.5}) {
+      fill_boundary_values(contacts, wall, scene.particles,
+                           {BoundaryValue::pressure, BoundaryValue::velocity, BoundaryValue::temperature,
+                            BoundaryValue::conductivity, BoundaryValue::flux},
+                           closure, t);
+      for (std::size_t c = 0; c < contacts.size(); ++c) {
+        Vector<Dim> const x = contacts.foot[c];
+        BOOST_TEST(contacts.pressure[c] == 1.0 + x.sum() + 10.0 * t);
+        BOOST_TEST(contacts.temperature[c] == 2.0 + x.sum() - 3.0 * t);
+        BOOST_TEST(contacts.conductivity[c] == 3.0 + x.sum() + t);
+        BOOST_TEST((contacts.velocity[c] - t * x).norm() == 0.0);
+        BOOST_TEST((contacts.flux[c] - (1.0 - t) * x).norm() == 0.0);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_is_fouriers_law_between_particle_and_foot, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_slab<Dim>(5, 60);
+  Wall<Dim>& hot = scene.walls[0];
+  hot.temperature = [](Vector<Dim> const&, double) { return 2.0; };
+  hot.conductivity = [](Vector<Dim> const&, double) { return 0.7; };
+  Wall<Dim>& heated = scene.walls[1];
+  heated.flux = [](Vector<Dim> const&, double) -> Vector<Dim> { return Vector<Dim>::Constant(0.3); };
+  auto& K = scene.particles.scalar(Field::conductivity);
+  auto const& T = scene.particles.scalar(Field::temperature);
+  WallContacts<Dim> contacts = contacts_of(scene, 0);
+  constexpr BoundaryValueSet both{BoundaryValue::temperature, BoundaryValue::flux};
+  fill_boundary_values(contacts, hot, scene.particles, both, Closure::one_sided, 0.0);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    Vector<Dim> expected = Vector<Dim>::Zero();  // hotter than the gas: into the fluid, along +x
+    expected[0] = 0.7 * (2.0 - T[contacts.particle[c]]) / contacts.distance[c];
+    BOOST_TEST((contacts.flux[c] - expected).norm() <= 1e-14 * expected.norm());
+  }
+  contacts = contacts_of(scene, 1);
+  BOOST_TEST(contacts.prescribes_flux_only);
+  K[contacts.particle[0]] = 0.0;  // nothing conducts: the wall is at the particle's own temperature
+  fill_boundary_values(contacts, heated, scene.particles, both, Closure::one_sided, 0.0);
+  BOOST_TEST(contacts.temperature[0] == T[contacts.particle[0]]);
+  for (std::size_t c = 1; c < contacts.size(); ++c) {
+    std::size_t const i = contacts.particle[c];
+    BOOST_TEST(contacts.temperature[c] == T[i] - 0.3 * contacts.distance[c] / K[i], tolerance(1e-13));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(wall_that_gives_temperature_and_flux_keeps_both_under_either_closure) {
+  Scene<1> scene = random_slab<1>(5, 20);
+  Wall<1>& wall = scene.walls[0];
+  wall.temperature = [](Vector<1> const&, double) { return 2.0; };
+  wall.conductivity = [](Vector<1> const&, double) { return 0.7; };
+  wall.flux = [](Vector<1> const&, double) { return Vector<1>(0.3); };
+  WallContacts<1> contacts = contacts_of(scene);
+  BOOST_TEST(!contacts.prescribes_flux_only);
+  fill_boundary_values(contacts, wall, scene.particles, {BoundaryValue::temperature, BoundaryValue::flux},
+                       Closure::one_sided, 0.0);
+  BOOST_TEST(contacts.temperature[0] == 2.0);
+  BOOST_TEST(contacts.flux[0][0] == 0.3);
+}
+
+BOOST_AUTO_TEST_CASE(wall_that_prescribes_nothing_is_interpolated_under_either_closure) {
+  Scene<1> const scene = random_slab<1>(6, 20);
+  constexpr BoundaryValueSet both{BoundaryValue::temperature, BoundaryValue::flux};
+  WallContacts<1> one = contacts_of(scene);
+  WallContacts<1> other = contacts_of(scene);
+  fill_boundary_values(one, scene.walls[0], scene.particles, both, Closure::interpolated, 0.0);
+  fill_boundary_values(other, scene.walls[0], scene.particles, both, Closure::one_sided, 0.0);
+  BOOST_TEST(same_bits(one.temperature, other.temperature));
+  BOOST_TEST(same_bits(one.flux.component(0), other.flux.component(0)));
+}
+
+BOOST_AUTO_TEST_CASE(contacts_count_the_memory_they_hold) {
+  Scene<2> const scene = random_slab<2>(6, 60);
+  WallContacts<2> contacts = contacts_of(scene);
+  std::size_t const before = contacts.bytes();
+  BOOST_TEST(before >= contacts.size() * (5 * sizeof(double) + sizeof(std::uint32_t)));
+  fill_boundary_values(contacts, scene.walls[0], scene.particles, {BoundaryValue::velocity}, Closure::interpolated,
+                       0.0);
+  BOOST_TEST(contacts.bytes() == before + 2 * contacts.size() * sizeof(double));
+}
+
+BOOST_AUTO_TEST_SUITE_END()

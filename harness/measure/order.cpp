@@ -16,8 +16,10 @@ interval   95%, Student's t on the fit's residuals; with several seeds also from
            is given. Two levels give an order without an interval.
 left out   levels whose error is at the run's `round_off`: they say nothing of the order
 not-refined    fewer than three spacings, or an error that does not change at all (below 1 part in 1e6)
-diverging      a run of the finest level failed, or the last step of refinement raised the error (order < -0.25)
-floored        the last step changed the error little (order between -0.25 and 0.25), or reached round-off
+diverging      a run of the finest level failed, or the last step raised the error (pairwise order < -0.25) in
+               a ladder whose fitted order is not positive
+floored        the last step changed the error little (pairwise order between -0.25 and 0.25) after steps that
+               changed it as little or, one by one, less and less; or the error reached round-off
 asymptotic     the last two pairwise orders agree within 0.3, and the interval excludes 0
 pre-asymptotic anything else)";
 
@@ -86,6 +88,14 @@ void fit(std::vector<Point> const& points, ObservedOrder& observed) {
   observed.upper = slope + half_width;
 }
 
+/// Whether every step of refinement gained less than the one before, give or take the agreement of orders.
+bool orders_fade(std::vector<Number> const& pairwise) {
+  for (std::size_t k = 1; k < pairwise.size(); ++k) {
+    if (*pairwise[k] > *pairwise[k - 1] + agreement) return false;
+  }
+  return true;
+}
+
 void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& points,
            ObservedOrder& observed) {
   auto const say = [&](char const* verdict, char const* reason) {
@@ -105,8 +115,12 @@ void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& poi
     return say("not-refined", "refinement changes nothing at all");
   double const last = observed.pairwise.back().value();
   double const before = observed.pairwise[observed.pairwise.size() - 2].value();
-  if (last < -plateau_order) return say("diverging", "the last refinement raised the error");
-  if (last < plateau_order) return say("floored", "the last refinement changed the error little");
+  if (last < -plateau_order && *observed.order <= 0.0)
+    return say("diverging", "the last refinement raised the error");
+  if (std::abs(last) < plateau_order &&
+      (std::abs(before) < plateau_order || orders_fade(observed.pairwise))) {
+    return say("floored", "the last refinement changed the error little");
+  }
   if (std::abs(last - before) <= agreement && observed.lower.value_or(0.0) > 0.0) {
     return say("asymptotic", "the last pairwise orders agree");
   }

@@ -2,7 +2,8 @@
 
 #include "tests/support/random_particles.hpp"
 
-// What pairs exchange adds up to zero where a scheme claims it, and visibly does not where it does not claim it.
+// What pairs exchange adds up to zero where a scheme claims it, and visibly does not where it does not claim
+// it.
 BOOST_AUTO_TEST_SUITE(scheme_conservation)
 
 using namespace sphverify;
@@ -60,13 +61,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_to_round_off_what_is_claimed_and_on
       Invariant const wanted = scheme->rate == Rate::acceleration ? Invariant::momentum : Invariant::energy;
       double const defect = balance(scene, evaluate(scene, scheme->id, false)).relative();
       BOOST_TEST_MESSAGE(Dim << "D " << scheme->id << ": " << defect);
-      if (scheme->conserves.contains(wanted)) BOOST_TEST(defect < 1e-13, scheme->id);
-      else BOOST_TEST(defect > 1e-3, scheme->id);
+      if (scheme->conserves.contains(wanted))
+        BOOST_TEST(defect < 1e-13, scheme->id);
+      else
+        BOOST_TEST(defect > 1e-3, scheme->id);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_act_on_each_other_equally_where_conservation_is_claimed, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_act_on_each_other_equally_where_conservation_is_claimed, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   Scene<Dim> const scene = random_scene<Dim>(3, 2);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
@@ -97,7 +101,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(with_walls_the_particles_gain_exactly_what_the_wal
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(momentum_forms_conserve_energy_with_their_own_partner_and_with_no_other, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(momentum_forms_conserve_energy_with_their_own_partner_and_with_no_other, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   Scene<Dim> const scene = random_scene<Dim>(2, count);
   for (SchemeInfo const* momentum : all_scheme_infos()) {
@@ -108,20 +113,24 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(momentum_forms_conserve_energy_with_their_own_part
           momentum->conserves.contains(Invariant::momentum) && momentum->work_partner == work->id;
       double const defect = energy_balance(scene, momentum->id, work->id).relative();
       BOOST_TEST_MESSAGE(Dim << "D " << momentum->id << " with " << work->id << ": " << defect);
-      if (partners) BOOST_TEST(defect < 1e-13, momentum->id << " with " << work->id);
-      else BOOST_TEST(defect > 1e-4, momentum->id << " with " << work->id);
+      if (partners)
+        BOOST_TEST(defect < 1e-13, momentum->id << " with " << work->id);
+      else
+        BOOST_TEST(defect > 1e-4, momentum->id << " with " << work->id);
     }
   }
 }
 
 // Eqs. 41 and 42: total less kinetic energy is internal energy, particle by particle and at the walls too.
-BOOST_AUTO_TEST_CASE_TEMPLATE(total_energy_less_the_work_of_p_rho2_is_the_internal_energy_form, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(total_energy_less_the_work_of_p_rho2_is_the_internal_energy_form, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   for (bool const walls : {false, true}) {
     Scene<Dim> const scene = random_scene<Dim>(4, count);
     auto const a = evaluate(scene, "momentum/p-rho2", walls).acceleration;
     std::vector<double> internal = evaluate(scene, "work/total-energy", walls).heating;
-    for (std::size_t i = 0; i < count; ++i) internal[i] -= scene.particles.vector(Field::velocity)[i].dot(a[i]);
+    for (std::size_t i = 0; i < count; ++i)
+      internal[i] -= scene.particles.vector(Field::velocity)[i].dot(a[i]);
     BOOST_TEST(relative_difference(internal, evaluate(scene, "work/internal-energy", walls).heating) < 1e-11);
     auto const wrong = evaluate(scene, "work/sqrt-p", walls).heating;
     BOOST_TEST(relative_difference(internal, wrong) > 1e-3);

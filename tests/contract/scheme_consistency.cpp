@@ -2,8 +2,8 @@
 
 #include "tests/support/dense.hpp"
 
-// On a lattice far from walls every scheme returns the derivative that it stands for times a factor of the lattice
-// alone, D = -sum_j V (x_i - x_j) dW_ij/dx_i, which is not 1.
+// On a lattice far from walls every scheme returns the derivative that it stands for times a factor of the
+// lattice alone, D = -sum_j V (x_i - x_j) dW_ij/dx_i, which is not 1.
 BOOST_AUTO_TEST_SUITE(scheme_consistency)
 
 using namespace sphverify;
@@ -35,7 +35,8 @@ double factor(Scene<Dim> const& scene) {
   std::size_t const i = centre(scene);
   BOOST_TEST_REQUIRE(s.x(i).norm() < 1e-14);
   double sum = 0.0;
-  for (std::size_t j = 0; j < s.particles(); ++j) sum -= s.m(j) / s.rho(j) * (s.x(i) - s.x(j))[0] * s.gradient(i, j)[0];
+  for (std::size_t j = 0; j < s.particles(); ++j)
+    sum -= s.m(j) / s.rho(j) * (s.x(i) - s.x(j))[0] * s.gradient(i, j)[0];
   return sum;
 }
 
@@ -44,18 +45,20 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_state_is_steady_in_the_interior, D, Dimens
   for (double const ratio : ratios) {
     Scene<Dim> scene = lattice<Dim>(ratio);
     Vector<Dim> const velocity = Random(1).vector<Dim>(-1.0, 1.0);
-    for (std::size_t i = 0; i < scene.particles.size(); ++i) scene.particles.vector(Field::velocity).set(i, velocity);
+    for (std::size_t i = 0; i < scene.particles.size(); ++i)
+      scene.particles.vector(Field::velocity).set(i, velocity);
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       Rates<Dim> const rates = evaluate(scene, scheme->id);
       double const found = scheme->rate == Rate::acceleration ? rates.acceleration[centre(scene)].norm()
-                                                               : std::abs(rates.heating[centre(scene)]);
+                                                              : std::abs(rates.heating[centre(scene)]);
       double const scale = std::max(1.0, largest(rates.numbers()));
       BOOST_TEST(found < 1e-12 * scale, scheme->id << " at h/dx = " << ratio);
     }
   }
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_lattices_own_factor, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_lattices_own_factor, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   for (double const ratio : ratios) {
     Random random(2);
@@ -70,12 +73,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_latt
     // A small pressure gradient, so that the root of pressure is linear too.
     Scene<Dim> pushed = scene;
     Vector<Dim> const g = 1e-4 * random.vector<Dim>(0.5, 2.0);
-    for (std::size_t j = 0; j < p.size(); ++j) pushed.particles.scalar(Field::pressure)[j] += g.dot(p.positions()[j]);
+    for (std::size_t j = 0; j < p.size(); ++j)
+      pushed.particles.scalar(Field::pressure)[j] += g.dot(p.positions()[j]);
     // A velocity with divergence and rotation.
     Scene<Dim> moving = scene;
     Matrix<Dim> G;
     for (int k = 0; k < Dim; ++k) G.col(k) = random.vector<Dim>(-1.0, 1.0);
-    for (std::size_t j = 0; j < p.size(); ++j) moving.particles.vector(Field::velocity).set(j, G * p.positions()[j]);
+    for (std::size_t j = 0; j < p.size(); ++j)
+      moving.particles.vector(Field::velocity).set(j, G * p.positions()[j]);
     // Linear temperature in a medium of linear conductivity: div(K grad T) = grad K . grad T.
     Scene<Dim> conducting = scene;
     Vector<Dim> const t = random.vector<Dim>(0.2, 0.9);

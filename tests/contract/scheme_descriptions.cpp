@@ -20,15 +20,17 @@ BOOST_AUTO_TEST_CASE(identifiers_are_unique_and_name_their_room) {
     BOOST_TEST(scheme->id.starts_with(room), scheme->id);
     std::string_view const name = scheme->id.substr(room.size());
     BOOST_TEST(!name.empty());
-    BOOST_TEST(std::ranges::all_of(name, [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '-'; }),
+    BOOST_TEST(std::ranges::all_of(
+                   name, [](unsigned char c) { return std::islower(c) || std::isdigit(c) || c == '-'; }),
                scheme->id);
   }
 }
 
 BOOST_AUTO_TEST_CASE(contract_identifiers_are_all_there) {
   for (std::string_view const id :
-       {"momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy", "work/internal-energy",
-        "work/sqrt-p", "conduction/lucy-flux", "conduction/brookshaw", "conduction/campbell-flux"}) {
+       {"momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy",
+        "work/internal-energy", "work/sqrt-p", "conduction/lucy-flux", "conduction/brookshaw",
+        "conduction/campbell-flux"}) {
     BOOST_TEST(find_scheme(id) != nullptr, id);
   }
 }

@@ -77,7 +77,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(order_of_the_particles_does_not_matter, D, Dimensi
     Rates<Dim> found = evaluate(reversed, scheme->id);
     std::reverse(found.acceleration.begin(), found.acceleration.end());
     std::reverse(found.heating.begin(), found.heating.end());
-    BOOST_TEST(relative_difference(found.numbers(), evaluate(scene, scheme->id).numbers()) < round_off, scheme->id);
+    BOOST_TEST(relative_difference(found.numbers(), evaluate(scene, scheme->id).numbers()) < round_off,
+               scheme->id);
   }
 }
 
@@ -86,7 +87,9 @@ Scene<Dim> boosted(Scene<Dim> scene, Vector<Dim> const& u) {
   for (std::size_t i = 0; i < scene.particles.size(); ++i) scene.particles.vector(Field::velocity).add(i, u);
   for (Wall<Dim>& wall : scene.walls) {
     if (!wall.velocity) continue;
-    wall.velocity = [old = wall.velocity, u](Vector<Dim> const& x, double t) -> Vector<Dim> { return old(x, t) + u; };
+    wall.velocity = [old = wall.velocity, u](Vector<Dim> const& x, double t) -> Vector<Dim> {
+      return old(x, t) + u;
+    };
   }
   return scene;
 }
@@ -108,15 +111,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(common_velocity_changes_no_rate_but_that_of_total_
   }
 }
 
-// Eq. 74 does not return a constant exactly, so that a wall of interpolated velocity has a velocity of its own.
+// Eq. 74 does not return a constant exactly, so that a wall of interpolated velocity has a velocity of its
+// own.
 BOOST_AUTO_TEST_CASE_TEMPLATE(common_velocity_is_felt_at_a_wall_of_interpolated_velocity, D, Dimensions) {
   constexpr int Dim = D::value;
   Scene<Dim> const scene = random_scene<Dim>(15, count, {BoundaryValue::pressure}, {BoundaryValue::pressure});
   Vector<Dim> const u = Random(1).vector<Dim>(0.5, 2.0);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     if (scheme->rate != Rate::internal_work) continue;
-    double const change =
-        relative_difference(evaluate(boosted(scene, u), scheme->id).numbers(), evaluate(scene, scheme->id).numbers());
+    double const change = relative_difference(evaluate(boosted(scene, u), scheme->id).numbers(),
+                                              evaluate(scene, scheme->id).numbers());
     BOOST_TEST(change > 1e-3, scheme->id);
   }
 }
@@ -126,7 +130,9 @@ Scene<Dim> warmer(Scene<Dim> scene, double shift) {
   for (double& T : scene.particles.scalar(Field::temperature)) T += shift;
   for (Wall<Dim>& wall : scene.walls) {
     if (!wall.temperature) continue;
-    wall.temperature = [old = wall.temperature, shift](Vector<Dim> const& x, double t) { return old(x, t) + shift; };
+    wall.temperature = [old = wall.temperature, shift](Vector<Dim> const& x, double t) {
+      return old(x, t) + shift;
+    };
   }
   return scene;
 }
@@ -151,8 +157,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(zero_of_temperature_matters_to_the_two_pass_forms_
       double const change = relative_difference(evaluate(warmer(scene, 1.0), scheme->id, walls).heating,
                                                 evaluate(scene, scheme->id, walls).heating);
       BOOST_TEST_MESSAGE(Dim << "D " << scheme->id << ", walls " << walls << ": relative change " << change);
-      if (scheme->two_pass) BOOST_TEST(change > 0.01, scheme->id);
-      else BOOST_TEST(change < 1e-13, scheme->id);
+      if (scheme->two_pass)
+        BOOST_TEST(change > 0.01, scheme->id);
+      else
+        BOOST_TEST(change < 1e-13, scheme->id);
     }
   }
 }

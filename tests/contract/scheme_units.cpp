@@ -2,8 +2,8 @@
 
 #include "tests/support/random_particles.hpp"
 
-// Rates do not depend on the units. Powers of four change no digit of a number nor of its square root, so that the
-// results must agree bit for bit.
+// Rates do not depend on the units. Powers of four change no digit of a number nor of its square root, so
+// that the results must agree bit for bit.
 BOOST_AUTO_TEST_SUITE(scheme_units)
 
 using namespace sphverify;
@@ -18,17 +18,28 @@ double scale(Field field, Units const& u) {
   double const volume = std::pow(u.length, Dim);
   double const speed = u.length / u.time;
   switch (field) {
-    case Field::position: return u.length;
-    case Field::mass: return u.mass;
-    case Field::density: return u.mass / volume;
-    case Field::velocity: return speed;
-    case Field::pressure: return u.mass / volume * speed * speed;
-    case Field::internal_energy: return speed * speed;
-    case Field::temperature: return u.temperature;
-    case Field::conductivity: return u.mass / volume * speed * speed * speed * u.length / u.temperature;
-    case Field::flux: return u.mass / volume * speed * speed * speed;
-    case Field::acceleration: return speed / u.time;
-    case Field::heating: return speed * speed / u.time;
+    case Field::position:
+      return u.length;
+    case Field::mass:
+      return u.mass;
+    case Field::density:
+      return u.mass / volume;
+    case Field::velocity:
+      return speed;
+    case Field::pressure:
+      return u.mass / volume * speed * speed;
+    case Field::internal_energy:
+      return speed * speed;
+    case Field::temperature:
+      return u.temperature;
+    case Field::conductivity:
+      return u.mass / volume * speed * speed * speed * u.length / u.temperature;
+    case Field::flux:
+      return u.mass / volume * speed * speed * speed;
+    case Field::acceleration:
+      return speed / u.time;
+    case Field::heating:
+      return speed * speed / u.time;
   }
   return 1.0;
 }
@@ -80,8 +91,9 @@ Scene<Dim> in_units(Scene<Dim> const& scene, Units const& u) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(rates_scale_with_their_units_bit_for_bit, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (Units const& units : {Units{4.0, 1.0, 1.0, 1.0}, Units{1.0, 16.0, 1.0, 1.0}, Units{1.0, 1.0, 0.25, 1.0},
-                             Units{1.0, 1.0, 1.0, 64.0}, Units{1.0 / 64.0, 4.0, 16.0, 0.25}}) {
+  for (Units const& units :
+       {Units{4.0, 1.0, 1.0, 1.0}, Units{1.0, 16.0, 1.0, 1.0}, Units{1.0, 1.0, 0.25, 1.0},
+        Units{1.0, 1.0, 1.0, 64.0}, Units{1.0 / 64.0, 4.0, 16.0, 0.25}}) {
     for (unsigned prescribed : {0u, 7u, 8u, 15u}) {
       for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
         Scene<Dim> scene = random_scene<Dim>(1, 50, subset(prescribed), subset(7));

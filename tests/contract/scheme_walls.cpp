@@ -20,7 +20,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(without_contacts_the_walls_are_not_felt, D, Dimens
     BOOST_TEST(control.work.wall_interactions == 0u);
     BOOST_TEST(control.wall_force.empty());
     BOOST_TEST(control.wall_power.empty());
-    BOOST_TEST(relative_difference(evaluate(scene, scheme->id).numbers(), control.numbers()) > 1e-2, scheme->id);
+    BOOST_TEST(relative_difference(evaluate(scene, scheme->id).numbers(), control.numbers()) > 1e-2,
+               scheme->id);
   }
 }
 
@@ -70,8 +71,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_eac
       Vector<Dim> force = Vector<Dim>::Zero();
       for (std::size_t i = 0; i < count; ++i) {
         double const m = scene.particles.masses()[i];
-        if (scheme->rate == Rate::acceleration) force += m * (both.acceleration[i] - other.acceleration[i]);
-        else power += m * (both.heating[i] - other.heating[i]);
+        if (scheme->rate == Rate::acceleration)
+          force += m * (both.acceleration[i] - other.acceleration[i]);
+        else
+          power += m * (both.heating[i] - other.heating[i]);
       }
       if (scheme->rate == Rate::acceleration) {
         BOOST_TEST((force - both.wall_force[w]).norm() < 1e-11 * largest(both.wall_force), scheme->id);
@@ -102,7 +105,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_conductivity_gives_twice_the_heating, D,
     for (double& K : twice.particles.scalar(Field::conductivity)) K *= 2.0;
     for (Wall<Dim>& wall : twice.walls) {
       if (!wall.conductivity) continue;
-      wall.conductivity = [old = wall.conductivity](Vector<Dim> const& x, double t) { return 2.0 * old(x, t); };
+      wall.conductivity = [old = wall.conductivity](Vector<Dim> const& x, double t) {
+        return 2.0 * old(x, t);
+      };
     }
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       if (scheme->rate != Rate::conduction_heating) continue;

@@ -7,12 +7,13 @@
 #include "tests/support/quadrature.hpp"
 #include "tests/support/random_particles.hpp"
 
-// equations.md written down a second time, with a double loop over all particles, Eq. 24's own form of the spline and
-// quadrature in place of closed forms. It shares the storage of the particles with the product and nothing else.
+// equations.md written down a second time, with a double loop over all particles, Eq. 24's own form of the
+// spline and quadrature in place of closed forms. It shares the storage of the particles with the product and
+// nothing else.
 namespace sphverify::tests::dense {
 
-/// Bound on the relative deviation from a dense sum. Where a foot point has one neighbour, close to the edge of the
-/// support, A_i/rho_B is a quotient of two small numbers that 2 - r/h has cost up to six digits.
+/// Bound on the relative deviation from a dense sum. Where a foot point has one neighbour, close to the edge
+/// of the support, A_i/rho_B is a quotient of two small numbers that 2 - r/h has cost up to six digits.
 inline constexpr double round_off = 1e-9;
 
 template <int Dim>
@@ -112,12 +113,14 @@ class State {
   /// rho_B(i)
   double rho(std::size_t i, std::size_t w) const {
     double sum = 0.0;
-    for (std::size_t j = 0; j < particles(); ++j) sum += 2.0 * m(j) * kernel<Dim>((x(j) - foot(i, w)).norm(), h());
+    for (std::size_t j = 0; j < particles(); ++j)
+      sum += 2.0 * m(j) * kernel<Dim>((x(j) - foot(i, w)).norm(), h());
     return sum;
   }
   double P(std::size_t i, std::size_t w) const {
     return s_->walls[w].pressure ? s_->walls[w].pressure(foot(i, w), s_->time)
-                                 : interpolated<double>(i, w, [&](std::size_t j) { return P(j); }, 0.0);
+                                 : interpolated<double>(
+                                       i, w, [&](std::size_t j) { return P(j); }, 0.0);
   }
   Vector<Dim> v(std::size_t i, std::size_t w) const {
     return s_->walls[w].velocity ? s_->walls[w].velocity(foot(i, w), s_->time)
@@ -131,11 +134,13 @@ class State {
     if (wall.flux && s_->closure == Closure::one_sided) {
       return T(i) - wall.flux(foot(i, w), s_->time).dot(n(w)) * d(i, w) / K(i);
     }
-    return interpolated<double>(i, w, [&](std::size_t j) { return T(j); }, 0.0);
+    return interpolated<double>(
+        i, w, [&](std::size_t j) { return T(j); }, 0.0);
   }
   double K(std::size_t i, std::size_t w) const {
     return s_->walls[w].conductivity ? s_->walls[w].conductivity(foot(i, w), s_->time)
-                                     : interpolated<double>(i, w, [&](std::size_t j) { return K(j); }, 0.0);
+                                     : interpolated<double>(
+                                           i, w, [&](std::size_t j) { return K(j); }, 0.0);
   }
   /// F_B(i), given the particles' fluxes.
   Vector<Dim> F(std::size_t i, std::size_t w, std::vector<Vector<Dim>> const& flux) const {
@@ -144,7 +149,8 @@ class State {
     if (wall.temperature && s_->closure == Closure::one_sided) {
       return -K(i, w) * (T(i, w) - T(i)) / d(i, w) * n(w);
     }
-    return interpolated<Vector<Dim>>(i, w, [&](std::size_t j) { return flux[j]; }, Vector<Dim>::Zero());
+    return interpolated<Vector<Dim>>(
+        i, w, [&](std::size_t j) { return flux[j]; }, Vector<Dim>::Zero());
   }
 
  private:
@@ -159,15 +165,16 @@ class State {
   Scene<Dim> const* s_;
 };
 
-/// The scenes on which a scheme must agree with its equation: every subset of prescribed values, every face weight,
-/// both closures, with and without walls.
+/// The scenes on which a scheme must agree with its equation: every subset of prescribed values, every face
+/// weight, both closures, with and without walls.
 template <int Dim, class Compare>
 void for_each_scene(Compare const& compare) {
   std::size_t const counts[] = {24, 40, 50};
   for (unsigned number = 0; number < 16; ++number) {
     for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
       for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
-        Scene<Dim> scene = random_scene<Dim>(100 + number, counts[Dim - 1], subset(number), subset(5 * number + 3));
+        Scene<Dim> scene =
+            random_scene<Dim>(100 + number, counts[Dim - 1], subset(number), subset(5 * number + 3));
         scene.face_weight = rule;
         scene.closure = closure;
         compare(scene, true);
@@ -177,7 +184,8 @@ void for_each_scene(Compare const& compare) {
   }
 }
 
-/// Largest deviation of a scheme from rate(state, i, with_walls), over all scenes, relative to the largest rate.
+/// Largest deviation of a scheme from rate(state, i, with_walls), over all scenes, relative to the largest
+/// rate.
 template <int Dim, class Equation>
 double deviation(std::string_view id, Equation const& equation) {
   double worst = 0.0;

@@ -8,13 +8,14 @@
 
 namespace sphverify::tests {
 
-/// Integral of f from a to b by GSL's adaptive 61-point Gauss-Kronrod rule, to a relative 1e-13 or to round-off.
+/// Integral of f from a to b by GSL's adaptive 61-point Gauss-Kronrod rule, to a relative 1e-13 or to
+/// round-off.
 template <class Function>
 double quadrature(Function const& f, double a, double b) {
   if (!(a < b)) return 0.0;
   constexpr std::size_t intervals = 400;
-  static std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> const workspace(
-      gsl_integration_workspace_alloc(intervals), &gsl_integration_workspace_free);
+  static std::unique_ptr<gsl_integration_workspace, decltype(&gsl_integration_workspace_free)> const
+      workspace(gsl_integration_workspace_alloc(intervals), &gsl_integration_workspace_free);
   gsl_function integrand;
   integrand.function = [](double x, void* data) { return (*static_cast<Function const*>(data))(x); };
   integrand.params = const_cast<Function*>(&f);

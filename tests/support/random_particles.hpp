@@ -11,13 +11,13 @@
 
 #include "formulations/rate_operator.hpp"
 
-// Particles that carry every field, with walls, and the rates of one scheme on them. What the tests of the schemes
-// start from; the expected values come from elsewhere.
+// Particles that carry every field, with walls, and the rates of one scheme on them. What the tests of the
+// schemes start from; the expected values come from elsewhere.
 namespace sphverify::tests {
 
 /// For BOOST_AUTO_TEST_CASE_TEMPLATE: `constexpr int Dim = D::value`.
-using Dimensions =
-    std::tuple<std::integral_constant<int, 1>, std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions = std::tuple<std::integral_constant<int, 1>, std::integral_constant<int, 2>,
+                              std::integral_constant<int, 3>>;
 
 template <int Dim>
 using Matrix = Eigen::Matrix<double, Dim, Dim>;
@@ -70,19 +70,19 @@ struct Scene {
   double time = 0.4;
 };
 
-inline constexpr FieldSet all_fields{Field::position,    Field::mass,         Field::density,
-                                     Field::velocity,    Field::pressure,     Field::internal_energy,
-                                     Field::temperature, Field::conductivity, Field::flux,
+inline constexpr FieldSet all_fields{Field::position,     Field::mass,         Field::density,
+                                     Field::velocity,     Field::pressure,     Field::internal_energy,
+                                     Field::temperature,  Field::conductivity, Field::flux,
                                      Field::acceleration, Field::heating};
 
 /// Lets a wall prescribe values that vary along it and with time; positive but for velocity and flux.
 template <int Dim>
 void prescribe(Wall<Dim>& wall, BoundaryValueSet values, Random& random) {
   auto const scalar = [&random]() -> ScalarAtWall<Dim> {
-    return [mean = random.uniform(0.8, 1.6), amplitude = random.uniform(0.1, 0.4),
-            wave = random.vector<Dim>(-3.0, 3.0), rate = random.uniform(1.0, 3.0)](Vector<Dim> const& x, double t) {
-      return mean + amplitude * std::sin(wave.dot(x) + rate * t);
-    };
+    return
+        [mean = random.uniform(0.8, 1.6), amplitude = random.uniform(0.1, 0.4),
+         wave = random.vector<Dim>(-3.0, 3.0), rate = random.uniform(1.0, 3.0)](
+            Vector<Dim> const& x, double t) { return mean + amplitude * std::sin(wave.dot(x) + rate * t); };
   };
   auto const vector = [&random]() -> VectorAtWall<Dim> {
     return [mean = random.vector<Dim>(-1.0, 1.0), amplitude = random.vector<Dim>(-0.4, 0.4),
@@ -113,8 +113,8 @@ inline BoundaryValueSet subset(unsigned number) {
   return values;
 }
 
-/// Fills every field with numbers of order one; density, pressure, temperature and conductivity are positive and
-/// independent of each other and of where the particles are.
+/// Fills every field with numbers of order one; density, pressure, temperature and conductivity are positive
+/// and independent of each other and of where the particles are.
 template <int Dim>
 void randomise_fields(Particles<Dim>& particles, Random& random) {
   particles.allocate(all_fields);
@@ -130,8 +130,8 @@ void randomise_fields(Particles<Dim>& particles, Random& random) {
   }
 }
 
-/// Particles at random places of the unit box between two walls of random orientation (so that in more than one
-/// dimension they meet in a corner), the first particle 0.2 h from each.
+/// Particles at random places of the unit box between two walls of random orientation (so that in more than
+/// one dimension they meet in a corner), the first particle 0.2 h from each.
 template <int Dim>
 Scene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet first = no_flux,
                         BoundaryValueSet second = no_flux) {
@@ -144,7 +144,8 @@ Scene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet 
   Vector<Dim> normal = random.direction<Dim>();
   for (BoundaryValueSet const values : {first, second}) {
     double furthest = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < count; ++i) furthest = std::max(furthest, scene.particles.positions()[i].dot(normal));
+    for (std::size_t i = 0; i < count; ++i)
+      furthest = std::max(furthest, scene.particles.positions()[i].dot(normal));
     Wall<Dim> wall{.point = (furthest + 0.2 * h) * normal, .outward_normal = normal};
     prescribe(wall, values, random);
     scene.walls.push_back(wall);
@@ -186,7 +187,9 @@ Scene<Dim> transformed(Scene<Dim> scene, Matrix<Dim> const& turn, Vector<Dim> co
     auto& velocities = scene.particles.vector(Field::velocity);
     velocities.set(i, turn * velocities[i]);
   }
-  auto const back = [turn, shift](Vector<Dim> const& x) -> Vector<Dim> { return turn.transpose() * (x - shift); };
+  auto const back = [turn, shift](Vector<Dim> const& x) -> Vector<Dim> {
+    return turn.transpose() * (x - shift);
+  };
   for (Wall<Dim>& wall : scene.walls) {
     wall.point = turn * wall.point + shift;
     wall.outward_normal = turn * wall.outward_normal;
@@ -209,11 +212,13 @@ PairGeometry<Dim> geometry_of(Scene<Dim> const& scene, KernelWeightSet kernel, b
   CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
   PairGeometry<Dim> geometry;
   geometry.neighbours = find_neighbours(grid);
-  geometry.weights = evaluate_kernel(geometry.neighbours, scene.particles.positions(), scene.domain, h, kernel);
+  geometry.weights =
+      evaluate_kernel(geometry.neighbours, scene.particles.positions(), scene.domain, h, kernel);
   geometry.walls = scene.walls;
   for (std::size_t w = 0; with_walls && w < scene.walls.size(); ++w) {
-    geometry.contacts.push_back(find_wall_contacts(grid, scene.walls[w], scene.walls, h, scene.particles.masses(),
-                                                   scene.particles.scalar(Field::density), scene.face_weight));
+    geometry.contacts.push_back(
+        find_wall_contacts(grid, scene.walls[w], scene.walls, h, scene.particles.masses(),
+                           scene.particles.scalar(Field::density), scene.face_weight));
   }
   return geometry;
 }
@@ -270,7 +275,8 @@ double largest(std::vector<Vector<Dim>> const& values) {
   return most;
 }
 
-/// Largest difference relative to the largest of `expected`; infinite where a number is not finite or one is missing.
+/// Largest difference relative to the largest of `expected`; infinite where a number is not finite or one is
+/// missing.
 template <class Value>
 double relative_difference(std::vector<Value> const& found, std::vector<Value> const& expected) {
   if (found.size() != expected.size()) return INFINITY;

@@ -52,8 +52,10 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result) {
       bool const vector = scheme->rate == Rate::acceleration;
       std::vector<double> const now = vector ? scene.particles.vector(Field::acceleration).component(0)
                                              : scene.particles.scalar(Field::heating);
-      if (n == 0) first = now;
-      else BOOST_TEST(same_bits(now, first), scheme->id);
+      if (n == 0)
+        first = now;
+      else
+        BOOST_TEST(same_bits(now, first), scheme->id);
       BOOST_TEST(operator_->wall_force().size() == (vector ? 2u : 0u));
       BOOST_TEST(operator_->wall_power().size() == (vector ? 0u : 2u));
     }
@@ -73,8 +75,8 @@ BOOST_AUTO_TEST_CASE(needed_fields_are_what_is_read_what_is_written_and_the_flux
   SchemeInfo const& momentum = *find_scheme("momentum/p-rho2");
   BOOST_TEST((needed_fields(momentum) == FieldSet{Field::density, Field::pressure, Field::acceleration}));
   SchemeInfo const& two_pass = *find_scheme("conduction/campbell-flux");
-  BOOST_TEST((needed_fields(two_pass) ==
-              FieldSet{Field::density, Field::temperature, Field::conductivity, Field::flux, Field::heating}));
+  BOOST_TEST((needed_fields(two_pass) == FieldSet{Field::density, Field::temperature, Field::conductivity,
+                                                  Field::flux, Field::heating}));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -18,7 +18,8 @@ constexpr double limit = 1e-10;  ///< relative to the largest value of a list
 constexpr std::string_view without_walls = "-no-walls";
 
 Json document(int dimension) {
-  std::string const path = std::string(SPHVERIFY_TEST_DATA) + "/operators-" + std::to_string(dimension) + "d.json";
+  std::string const path =
+      std::string(SPHVERIFY_TEST_DATA) + "/operators-" + std::to_string(dimension) + "d.json";
   std::ifstream file(path);
   BOOST_TEST_REQUIRE(file.good(), path);
   return Json::parse(file);
@@ -51,13 +52,16 @@ Scene<Dim> scene_of(Json const& state) {
     if (values == data.end() || values->is_string()) continue;
     scene.particles.allocate(field.field);
     for (std::size_t i = 0; i < n; ++i) {
-      if (field.is_vector) scene.particles.vector(field.field).set(i, vector_of<Dim>(values->at(i)));
-      else scene.particles.scalar(field.field)[i] = values->at(i).get<double>();
+      if (field.is_vector)
+        scene.particles.vector(field.field).set(i, vector_of<Dim>(values->at(i)));
+      else
+        scene.particles.scalar(field.field)[i] = values->at(i).get<double>();
     }
   }
   if (data.at("density").is_string()) {
     BOOST_TEST(data.at("density").get<std::string>() == "summation");
-    CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * scene.particles.smoothing_length());
+    CellGrid<Dim> const grid(scene.particles.positions(), scene.domain,
+                             2.0 * scene.particles.smoothing_length());
     scene.particles.allocate(Field::density);
     scene.particles.scalar(Field::density) =
         summation_density(grid, scene.particles.smoothing_length(), scene.particles.masses());
@@ -96,8 +100,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_every_scheme_and_control, D, Dimensions) 
       Rates<Dim> const found = evaluate(scene, id, !control);
       std::size_t compared = 0;
       if (expected.contains("acceleration")) {
-        BOOST_TEST(relative_difference(found.acceleration, vectors_of<Dim>(expected.at("acceleration"))) < limit,
-                   name);
+        BOOST_TEST(
+            relative_difference(found.acceleration, vectors_of<Dim>(expected.at("acceleration"))) < limit,
+            name);
         ++compared;
       }
       if (expected.contains("heating")) {
@@ -120,8 +125,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(densities, D, Dimensions) {
   constexpr int Dim = D::value;
   for (Json const& entry : document(Dim)) {
     auto const expected = numbers_of(entry.at("expected").at("density"));
-    BOOST_TEST(relative_difference(scene_of<Dim>(entry.at("state")).particles.scalar(Field::density), expected) <
-               limit);
+    BOOST_TEST(relative_difference(scene_of<Dim>(entry.at("state")).particles.scalar(Field::density),
+                                   expected) < limit);
   }
 }
 

@@ -61,9 +61,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_its_flux_on_the_particles, D, Dimensions) {
   });
 }
 
-// With K(0) = 0 no particle has a flux, so that none reaches a wall that prescribes temperature: the Marshak wave
-// never starts (equations.md). A one-sided closure starts it.
-BOOST_AUTO_TEST_CASE(medium_that_does_not_conduct_takes_no_heat_from_a_hot_wall_unless_the_closure_is_one_sided) {
+// With K(0) = 0 no particle has a flux, so that none reaches a wall that prescribes temperature: the Marshak
+// wave never starts (equations.md). A one-sided closure starts it.
+BOOST_AUTO_TEST_CASE(
+    medium_that_does_not_conduct_takes_no_heat_from_a_hot_wall_unless_the_closure_is_one_sided) {
   Scene<1> scene = lattice_scene<1>(40, 0.05, 1.2);
   scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});
   scene.walls[0].temperature = [](Vector<1> const&, double) { return 1.0; };

@@ -30,7 +30,8 @@ std::vector<double> equation(dense::State<Dim> const& s, bool with_walls) {
   std::vector<double> rate(s.particles(), 0.0);
   for (std::size_t i = 0; i < s.particles(); ++i) {
     double divergence = 0.0;
-    for (std::size_t j = 0; j < s.particles(); ++j) divergence += s.m(j) / s.rho(j) * F[j].dot(s.gradient(i, j));
+    for (std::size_t j = 0; j < s.particles(); ++j)
+      divergence += s.m(j) / s.rho(j) * F[j].dot(s.gradient(i, j));
     for (std::size_t w = 0; with_walls && w < s.walls(); ++w) {
       if (s.touches(i, w)) divergence += s.F(i, w, F).dot(s.S(i, w));
     }

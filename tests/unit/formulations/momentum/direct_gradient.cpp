@@ -34,7 +34,8 @@ BOOST_AUTO_TEST_CASE(neighbour_of_a_particle_without_pressure_does_not_feel_it) 
   auto const with = evaluate(scene, id);
   scene.particles.scalar(Field::pressure)[7] *= 3.0;
   auto const changed = evaluate(scene, id, true);
-  BOOST_TEST((with.acceleration[7] - changed.acceleration[7]).norm() == 0.0);  // its own pressure is not in its sum
+  BOOST_TEST((with.acceleration[7] - changed.acceleration[7]).norm() ==
+             0.0);  // its own pressure is not in its sum
   BOOST_TEST(relative_difference(changed.acceleration, with.acceleration) > 1e-3);
 }
 

@@ -37,7 +37,8 @@ Vector<Dim> brute_separation(Domain<Dim> const& domain, Vector<Dim> const& x, Ve
   return best;
 }
 
-/// Whether the grid visits, from x, every particle within reach once, with the right separation, and no other.
+/// Whether the grid visits, from x, every particle within reach once, with the right separation, and no
+/// other.
 template <int Dim>
 bool agrees_with_brute_force(CellGrid<Dim> const& grid, Vector<Dim> const& x) {
   std::map<std::uint32_t, Vector<Dim>> found;
@@ -69,7 +70,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(finds_what_brute_force_finds_with_and_without_peri
         CellGrid<Dim> const grid(positions, unit_box<Dim>(periodic), reach);
         bool good = true;
         for (std::size_t i = 0; i < count; ++i) good = good && agrees_with_brute_force(grid, positions[i]);
-        for (int n = 0; n < 20; ++n) good = good && agrees_with_brute_force(grid, random.vector<Dim>(0.0, 1.0));
+        for (int n = 0; n < 20; ++n)
+          good = good && agrees_with_brute_force(grid, random.vector<Dim>(0.0, 1.0));
         BOOST_TEST(good, count << " particles, reach " << reach << ", periodic axes " << axes);
       }
     }
@@ -102,7 +104,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(sparse_clouds_are_found_without_a_cell_for_every_e
   for (std::size_t i = 0; i < 100; ++i) positions.set(i, positions[i + 100] + random.vector<Dim>(-0.5, 0.5));
   CellGrid<Dim> const grid(positions, unit_box<Dim>(), 1.0);
   bool good = true;
-  for (std::size_t i = 0; i < positions.size(); ++i) good = good && agrees_with_brute_force(grid, positions[i]);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    good = good && agrees_with_brute_force(grid, positions[i]);
   BOOST_TEST(good);
 }
 
@@ -113,7 +116,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(long_thin_clouds_keep_cells_no_smaller_than_the_re
   for (double& x : positions.component(0)) x *= 300.0;
   CellGrid<Dim> const grid(positions, unit_box<Dim>(), 0.9);
   bool good = true;
-  for (std::size_t i = 0; i < positions.size(); ++i) good = good && agrees_with_brute_force(grid, positions[i]);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    good = good && agrees_with_brute_force(grid, positions[i]);
   BOOST_TEST(good);
 }
 
@@ -122,7 +126,8 @@ BOOST_AUTO_TEST_CASE(particles_exactly_at_reach_are_not_found) {
   positions.component(0) = {0.0, 0.5, std::nextafter(0.5, 0.0)};
   CellGrid<1> const grid(positions, unit_box<1>(), 0.5);
   std::vector<std::uint32_t> found;
-  grid.for_each_within_reach(positions[0], [&](std::uint32_t j, Vector<1> const&, double) { found.push_back(j); });
+  grid.for_each_within_reach(positions[0],
+                             [&](std::uint32_t j, Vector<1> const&, double) { found.push_back(j); });
   BOOST_TEST(found == (std::vector<std::uint32_t>{0, 2}), boost::test_tools::per_element());
 }
 
@@ -152,7 +157,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(periodic_axis_shorter_than_two_reaches_is_refused,
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(coordinates_that_are_not_finite_are_refused, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (double const bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+  for (double const bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Random random(7);
     VectorField<Dim> positions = scatter<Dim>(random, 10);
     positions.component(Dim - 1)[4] = bad;
@@ -164,7 +170,8 @@ BOOST_AUTO_TEST_CASE(no_particles_are_no_problem) {
   VectorField<2> const positions(0);
   CellGrid<2> const grid(positions, unit_box<2>(), 0.1);
   int visited = 0;
-  grid.for_each_within_reach(Vector<2>(0.5, 0.5), [&](std::uint32_t, Vector<2> const&, double) { ++visited; });
+  grid.for_each_within_reach(Vector<2>(0.5, 0.5),
+                             [&](std::uint32_t, Vector<2> const&, double) { ++visited; });
   BOOST_TEST(visited == 0);
 }
 

@@ -60,15 +60,16 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(summation_is_a_dense_sum_with_the_particle_itself,
   }
 }
 
-// Eq. 5. The first particle is half a spacing from the wall, so that what it sees is Gamma(dx/2), and Gamma(0) = 1/2
-// only in the limit of many particles in the kernel.
+// Eq. 5. The first particle is half a spacing from the wall, so that what it sees is Gamma(dx/2), and
+// Gamma(0) = 1/2 only in the limit of many particles in the kernel.
 BOOST_AUTO_TEST_CASE(summation_falls_to_half_at_a_wall_as_the_kernel_is_resolved) {
   double last = 1.0;
   for (double const ratio : {1.2, 4.0, 16.0, 64.0}) {
     double const density = summation(slab<1>(400, 1, ratio))[0];
     double const gamma = dense::inner_fraction<1>(0.5, ratio);
-    BOOST_TEST_MESSAGE("h/dx = " << ratio << ": density of the first particle " << density << ", Gamma " << gamma);
-    BOOST_TEST(density == gamma, boost::test_tools::tolerance(ratio < 2.0 ? 0.01 : 1e-3));
+    BOOST_TEST_MESSAGE("h/dx = " << ratio << ": density of the first particle " << density << ", Gamma "
+                                 << gamma);
+    BOOST_TEST(density == gamma, boost::test_tools::tolerance(ratio < 2.0 ? 0.04 : 2e-3));
     BOOST_TEST(density < last);
     last = density;
   }
@@ -78,9 +79,12 @@ BOOST_AUTO_TEST_CASE(summation_falls_to_half_at_a_wall_as_the_kernel_is_resolved
 template <int Dim>
 struct Resolved {
   static Scene<Dim> slab_of() {
-    if constexpr (Dim == 1) return slab<1>(100, 1, 8.0);
-    else if constexpr (Dim == 2) return slab<2>(26, 24, 6.0);
-    else return slab<3>(12, 11, 2.7);
+    if constexpr (Dim == 1)
+      return slab<1>(100, 1, 8.0);
+    else if constexpr (Dim == 2)
+      return slab<2>(26, 24, 6.0);
+    else
+      return slab<3>(12, 11, 2.7);
   }
 };
 
@@ -90,12 +94,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(normalised_summation_restores_a_uniform_density_up
   std::vector<double> density = summation(scene);
   BOOST_TEST(density[0] < 0.7);
   for (std::size_t i = 0; i < density.size(); ++i) {
-    density[i] /= kernel_inside(scene.particles.positions()[i], scene.walls, scene.particles.smoothing_length());
+    density[i] /=
+        kernel_inside(scene.particles.positions()[i], scene.walls, scene.particles.smoothing_length());
   }
-  BOOST_TEST(relative_difference(density, std::vector<double>(density.size(), 1.0)) < 0.005);
+  BOOST_TEST(relative_difference(density, std::vector<double>(density.size(), 1.0)) < 0.01);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_loses_what_lies_beyond_each_of_two_parallel_walls, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_loses_what_lies_beyond_each_of_two_parallel_walls, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   std::vector<Wall<Dim>> walls = Resolved<Dim>::slab_of().walls;
   walls[1].point[0] = 1.5;
@@ -106,24 +112,31 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_loses_what_lies_beyond_each_of_two_p
   BOOST_TEST(kernel_inside(x, {}, h) == 1.0);
 }
 
-/// What Eq. 74 makes of the constant one at a wall of a 1D lattice with summation density.
-double interpolated_constant(double smoothing_ratio) {
-  Scene<1> scene = slab<1>(400, 1, smoothing_ratio);
+/// What Eq. 74 makes of the constant one at a wall of a lattice with summation density.
+template <int Dim>
+double interpolated_constant(Scene<Dim> scene) {
   scene.particles.scalar(Field::density) = summation(scene);
-  scene.particles.scalar(Field::pressure).assign(400, 1.0);
-  PairGeometry<1> geometry = geometry_of(scene, {});
+  scene.particles.scalar(Field::pressure).assign(scene.particles.size(), 1.0);
+  PairGeometry<Dim> geometry = geometry_of(scene, {});
   fill_boundary_values(geometry.contacts[0], geometry.walls[0], scene.particles, {BoundaryValue::pressure},
                        Closure::interpolated, 0.0);
   return geometry.contacts[0].pressure[0];
 }
 
-// The volumes m/rho swell at the wall: the limit is 2 int W/Gamma = 2 [ln Gamma] = 2 ln 2.
+// The volumes m/rho swell at the wall: the limit is 2 int A/Gamma = 2 [ln Gamma] = 2 ln 2 in any dimension.
 BOOST_AUTO_TEST_CASE(wall_interpolation_of_a_constant_with_summation_density_is_too_large) {
+  auto const at = [](double ratio) { return interpolated_constant(slab<1>(400, 1, ratio)); };
   for (double const ratio : {1.0, 1.2, 4.0, 16.0, 64.0}) {
-    BOOST_TEST_MESSAGE("h/dx = " << ratio << ": the constant 1 is interpolated as " << interpolated_constant(ratio));
+    BOOST_TEST_MESSAGE("h/dx = " << ratio << ": the constant 1 is interpolated as " << at(ratio));
   }
-  BOOST_TEST(interpolated_constant(1.2) == 1.25, boost::test_tools::tolerance(0.005));
-  BOOST_TEST(interpolated_constant(64.0) == 2.0 * std::numbers::ln2, boost::test_tools::tolerance(2e-3));
+  BOOST_TEST(at(1.2) == 1.25, boost::test_tools::tolerance(0.005));
+  BOOST_TEST(at(64.0) == 2.0 * std::numbers::ln2, boost::test_tools::tolerance(1e-4));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(its_limit_is_2_ln_2_in_every_dimension, D, Dimensions) {
+  double const found = interpolated_constant(Resolved<D::value>::slab_of());
+  BOOST_TEST_MESSAGE(D::value << "D: " << found);
+  BOOST_TEST(found == 2.0 * std::numbers::ln2, boost::test_tools::tolerance(0.05));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -60,12 +60,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(who_is_my_neighbour_has_me_for_one, D, Dimensions)
   NeighbourList const list = cloud<Dim>(1, 300, 0.2, true).list();
   bool symmetric = true;
   for (std::uint32_t i = 0; i < 300; ++i) {
-    for (std::uint32_t const j : list.row(i)) symmetric = symmetric && std::ranges::binary_search(list.row(j), i);
+    for (std::uint32_t const j : list.row(i))
+      symmetric = symmetric && std::ranges::binary_search(list.row(j), i);
   }
   BOOST_TEST(symmetric);
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(single_particle_has_an_empty_row_even_where_it_would_meet_its_own_image, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(single_particle_has_an_empty_row_even_where_it_would_meet_its_own_image, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   for (bool const periodic : {false, true}) {
     NeighbourList const list = cloud<Dim>(1, 1, 0.5, periodic).list();
@@ -74,7 +76,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(single_particle_has_an_empty_row_even_where_it_wou
   }
 }
 
-BOOST_AUTO_TEST_CASE(no_particles_have_no_rows) { BOOST_TEST(cloud<2>(1, 0, 0.1, false).list().rows() == 0u); }
+BOOST_AUTO_TEST_CASE(no_particles_have_no_rows) {
+  BOOST_TEST(cloud<2>(1, 0, 0.1, false).list().rows() == 0u);
+}
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_at_the_same_place_are_refused_by_name, D, Dimensions) {
   constexpr int Dim = D::value;

@@ -11,7 +11,8 @@ using namespace sphverify::tests;
 
 constexpr KernelWeightSet both{KernelWeight::gradient, KernelWeight::radial};
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_points_from_neighbour_to_particle_and_falls_with_distance, D, Dimensions) {
+BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_points_from_neighbour_to_particle_and_falls_with_distance, D,
+                              Dimensions) {
   constexpr int Dim = D::value;
   Scene<Dim> const scene = random_scene<Dim>(1, 40);
   PairGeometry<Dim> const geometry = geometry_of(scene, both, false);
@@ -24,7 +25,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_points_from_neighbour_to_particle_and_fal
       Vector<Dim> const expected = s.gradient(i, j);
       Vector<Dim> const r = s.x(i) - s.x(j);
       BOOST_TEST((geometry.weights.gradient[k] - expected).norm() < 1e-13 * scale);
-      BOOST_TEST(std::abs(geometry.weights.radial[k] * r.squaredNorm() - r.dot(expected)) < 1e-13 * scale * r.norm());
+      BOOST_TEST(std::abs(geometry.weights.radial[k] * r.squaredNorm() - r.dot(expected)) <
+                 1e-13 * scale * r.norm());
     }
   }
 }

@@ -33,7 +33,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(each_field_costs_its_own_memory_only, D, Dimension
     std::size_t const cost = existed ? 0 : (field.is_vector ? Dim : 1) * 100 * sizeof(double);
     BOOST_TEST(particles.bytes() == before + cost, field.name);
     for (FieldInfo const& other : field_infos) {
-      bool const expected = other.field == field.field || other.field == Field::position || other.field == Field::mass;
+      bool const expected =
+          other.field == field.field || other.field == Field::position || other.field == Field::mass;
       BOOST_TEST(particles.has(other.field) == expected, other.name);
     }
   }

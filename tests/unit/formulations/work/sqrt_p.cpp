@@ -31,8 +31,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
              dense::round_off);
 }
 
-// Derived without the energy form's own equation: what the momentum form takes from the kinetic energy of a pair,
-// half of it to each side.
+// Derived without the energy form's own equation: what the momentum form takes from the kinetic energy of a
+// pair, half of it to each side.
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_share_equally_what_their_kinetic_energy_loses, D, Dimensions) {
   constexpr int Dim = D::value;
   Scene<Dim> scene = random_scene<Dim>(5, 2);
@@ -59,13 +59,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(power_of_a_wall_with_its_momentum_form_is_as_its_h
     found += s.m(i) * s.v(i).dot(with[i] - without[i]);
     for (std::size_t w = 0; w < s.walls(); ++w) {
       if (!s.touches(i, w)) continue;
-      expected -= s.m(i) * std::sqrt(s.P(i)) / s.rho(i) * std::sqrt(s.P(i, w)) * (s.v(i) + s.v(i, w)).dot(s.S(i, w));
+      expected -=
+          s.m(i) * std::sqrt(s.P(i)) / s.rho(i) * std::sqrt(s.P(i, w)) * (s.v(i) + s.v(i, w)).dot(s.S(i, w));
     }
   }
   BOOST_TEST(found == expected, boost::test_tools::tolerance(1e-11));
 }
 
-// -P_B v_B.n per area, Eq. 40, where the gas beside the wall moves with it and many particles resolve the kernel.
+// -P_B v_B.n per area, Eq. 40, where the gas beside the wall moves with it and many particles resolve the
+// kernel.
 BOOST_AUTO_TEST_CASE(power_of_a_wall_on_a_fine_lattice_is_pressure_times_velocity) {
   Scene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
   scene.particles.scalar(Field::pressure).assign(400, 2.0);

@@ -1,0 +1,185 @@
+#include "harness/integrate/ode.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <stdexcept>
+
+BOOST_AUTO_TEST_SUITE(harness_integrate_ode)
+
+using namespace sphverify;
+using boost::test_tools::tolerance;
+using Rate = ColouredJacobian::Rate;
+
+enum class Method { bdf, runge_kutta };
+constexpr Method methods[] = {Method::bdf, Method::runge_kutta};
+
+DependencyPattern full_pattern(std::size_t n) {
+  DependencyPattern pattern{{0}, {}};
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) pattern.column.push_back(static_cast<std::int64_t>(j));
+    pattern.first.push_back(static_cast<std::int64_t>(pattern.column.size()));
+  }
+  return pattern;
+}
+
+OdeResult integrate(Method method, OdeSystem system, std::vector<double> y, double final_time,
+                    double relative) {
+  system.size = y.size();
+  ColouredJacobian jacobian(full_pattern(y.size()), system.rate, false, 1.0);
+  system.jacobian = &jacobian;
+  Tolerances const tolerances{relative, relative};
+  return method == Method::bdf ? integrate_bdf(system, std::move(y), final_time, tolerances)
+                               : integrate_runge_kutta(system, std::move(y), final_time, tolerances);
+}
+
+OdeSystem with_rate(Rate rate) {
+  OdeSystem system;
+  system.rate = std::move(rate);
+  return system;
+}
+
+/// Eigenvalues -1 and -1000; from (2, 0) it is e^-t + e^-1000t, e^-t - e^-1000t.
+void stiff(double, double const* y, double* out) {
+  out[0] = -500.5 * y[0] + 499.5 * y[1];
+  out[1] = 499.5 * y[0] - 500.5 * y[1];
+}
+
+/// From 1 it is 1/(1 + t).
+void hyperbola(double, double const* y, double* out) { out[0] = -y[0] * y[0]; }
+
+/// From 0 it is sin t.
+void forced(double t, double const*, double* out) { out[0] = std::cos(t); }
+
+BOOST_AUTO_TEST_CASE(errors_come_down_with_the_tolerance_on_problems_of_known_solution) {
+  struct Known {
+    Rate rate;
+    std::vector<double> start;
+    double final_time;
+    double solution;
+  };
+  for (Known const& known : {Known{stiff, {2.0, 0.0}, 1.0, std::exp(-1.0)},
+                             Known{hyperbola, {1.0}, 3.0, 0.25}, Known{forced, {0.0}, 2.0, std::sin(2.0)}}) {
+    for (Method const method : methods) {
+      double before = INFINITY;
+      std::uint64_t steps = 0;
+      for (double const relative : {1e-4, 1e-7, 1e-10}) {
+        OdeResult const result =
+            integrate(method, with_rate(known.rate), known.start, known.final_time, relative);
+        double const error = std::abs(result.y[0] - known.solution);
+        BOOST_TEST(error < 100.0 * relative);
+        BOOST_TEST(error < 0.5 * before);
+        BOOST_TEST((result.outcome == OdeOutcome::finished));
+        BOOST_TEST(result.time == known.final_time);
+        BOOST_TEST(result.y.size() == known.start.size());
+        BOOST_TEST(result.steps > steps);
+        BOOST_TEST(result.reason == "");
+        before = error;
+        steps = result.steps;
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_stiff_system_costs_the_implicit_method_few_steps) {
+  auto const steps = [](Method method) {
+    return integrate(method, with_rate(stiff), {2.0, 0.0}, 10.0, 1e-6).steps;
+  };
+  BOOST_TEST(steps(Method::bdf) < 500u);
+  BOOST_TEST(steps(Method::runge_kutta) > 2000u);
+}
+
+BOOST_AUTO_TEST_CASE(quadratures_keep_a_linear_invariant) {
+  for (Method const method : methods) {
+    // Two bodies that exchange heat, of which the second loses some: what is lost is the quadrature.
+    OdeSystem system;
+    system.rate = [](double, double const* y, double* out) {
+      out[0] = 40.0 * (y[1] - y[0]);
+      out[1] = 40.0 * (y[0] - y[1]) - 0.7 * y[1];
+    };
+    system.quadratures = 2;
+    system.quadrature = [](double t, double const* y, double* out) {
+      out[0] = -0.7 * y[1];
+      out[1] = t;
+    };
+    OdeResult const result = integrate(method, system, {3.0, 1.0}, 2.0, 1e-8);
+    double const drift = result.y[0] + result.y[1] - 4.0 - result.quadratures[0];
+    BOOST_TEST(std::abs(drift) < (method == Method::runge_kutta ? 1e-13 : 1e-8));
+    BOOST_TEST(result.quadratures[0] < -1.0);
+    BOOST_TEST(result.quadratures[1] == 2.0, tolerance(1e-6));
+    BOOST_TEST(result.quadratures.size() == 2u);
+    BOOST_TEST(result.y.size() == 2u);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(quadratures_that_nobody_wants_are_not_evaluated) {
+  for (Method const method : methods) {
+    OdeSystem system = with_rate(forced);
+    system.quadrature = [](double, double const*, double*) { throw std::logic_error("evaluated"); };
+    BOOST_TEST(integrate(method, system, {0.0}, 1.0, 1e-6).quadratures.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_monitor_sees_every_step_and_stops_the_run_with_its_reason) {
+  for (Method const method : methods) {
+    OdeSystem system = with_rate(forced);
+    system.quadratures = 1;
+    system.quadrature = [](double, double const*, double* out) { out[0] = 1.0; };
+    std::uint64_t calls = 0;
+    double last = 0.0;
+    double last_quadrature = 0.0;
+    system.monitor = [&](double t, double const*, double const* q) -> std::string {
+      ++calls;
+      BOOST_TEST(t > last);
+      last = t;
+      last_quadrature = q[0];
+      return t > 1.0 ? "far enough" : "";
+    };
+    OdeResult const result = integrate(method, system, {0.0}, 5.0, 1e-6);
+    BOOST_TEST((result.outcome == OdeOutcome::stopped));
+    BOOST_TEST(result.reason == "far enough");
+    BOOST_TEST(result.steps == calls);
+    BOOST_TEST(result.time == last);
+    BOOST_TEST((last > 1.0 && last < 5.0));
+    BOOST_TEST(last_quadrature == last, tolerance(1e-6));
+    BOOST_TEST(std::abs(result.y[0] - std::sin(last)) < 1e-4);
+  }
+}
+
+struct Special : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+BOOST_AUTO_TEST_CASE(what_the_rate_the_quadrature_and_the_monitor_throw_comes_out_as_itself) {
+  for (Method const method : methods) {
+    OdeSystem system = with_rate([](double t, double const* y, double* out) {
+      if (t > 0.3) throw Special("no rate here");
+      out[0] = -y[0];
+    });
+    BOOST_CHECK_THROW(integrate(method, system, {1.0}, 1.0, 1e-6), Special);
+    system.rate = forced;
+    system.quadratures = 1;
+    system.quadrature = [](double, double const*, double*) { throw Special("no quadrature here"); };
+    BOOST_CHECK_THROW(integrate(method, system, {0.0}, 1.0, 1e-6), Special);
+    system.quadratures = 0;
+    system.monitor = [](double, double const*, double const*) -> std::string { throw Special("enough"); };
+    BOOST_CHECK_THROW(integrate(method, system, {0.0}, 1.0, 1e-6), Special);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_solution_that_blows_up_ends_as_a_failure_with_a_reason) {
+  for (Method const method : methods) {
+    OdeSystem system = with_rate([](double t, double const*, double* out) {
+      out[0] = t < 0.5 ? 1.0 : std::numeric_limits<double>::quiet_NaN();
+    });
+    std::uint64_t steps = 0;
+    system.monitor = [&](double, double const*, double const*) -> std::string {
+      return ++steps > 100'000 ? "did not notice" : "";
+    };
+    OdeResult const result = integrate(method, system, {1.0}, 2.0, 1e-6);
+    BOOST_TEST((result.outcome == OdeOutcome::failed));
+    BOOST_TEST(result.reason.find("gave up") != std::string::npos, result.reason);
+    BOOST_TEST(result.time < 2.0);
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -73,6 +73,7 @@ struct WallFlux {
   double measured = 0.0;  ///< at the final time, per area, positive inward
   double exact = 0.0;
   double error = 0.0;  ///< measured - exact
+  double scale = 0.0;  ///< largest exact flux anywhere in the domain at that time
 };
 
 struct Cost {

@@ -205,6 +205,11 @@ class ConductionRun {
     auto const power = scene.wall_power();
     auto const areas = scene.wall_areas();
     double const support = 2.0 * particles_.smoothing_length();
+    double scale = 0.0;
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+      scale = std::max(
+          scale, problem_.vectors.at(Field::flux)(particles_.positions()[i], problem_.final_time).norm());
+    }
     for (std::size_t w = 0; w < problem_.walls.size(); ++w) {
       // The exact flux is averaged over the foot points of the particles that see the wall.
       Wall<Dim> const& wall = problem_.walls[w];
@@ -219,7 +224,7 @@ class ConductionRun {
       }
       if (weight == 0.0) continue;
       double const measured = power[w] / areas[w];
-      record_.wall_flux.push_back({measured, sum / weight, measured - sum / weight});
+      record_.wall_flux.push_back({measured, sum / weight, measured - sum / weight, scale});
     }
   }
 

@@ -178,7 +178,7 @@ RunRecord read_run(Node const& node) {
                                 b.at("drift").number(), optional_number(b.at("wall_budget_defect"))};
   }
   for (Node const& w : node.at("wall_flux").elements()) {
-    r.wall_flux.push_back({w.at("measured").number(), w.at("exact").number(), w.at("error").number()});
+    r.wall_flux.push_back({w.at("measured").number(), w.at("exact").number(), w.at("error").number(), w.at("scale").number()});
   }
   if (Node const cost = node.at("cost"); !cost.is_null()) r.cost = read_cost(cost);
   if (Node const stability = node.at("stability"); !stability.is_null())

@@ -199,7 +199,7 @@ Json to_json(RunRecord const& r) {
   json["wall_flux"] = Json::array();
   for (WallFlux const& w : r.wall_flux) {
     json["wall_flux"].push_back(
-        {{"measured", number(w.measured)}, {"exact", number(w.exact)}, {"error", number(w.error)}});
+        {{"measured", number(w.measured)}, {"exact", number(w.exact)}, {"error", number(w.error)}, {"scale", number(w.scale)}});
   }
   json["cost"] = r.cost ? to_json(*r.cost) : Json(nullptr);
   json["stability"] = r.stability ? to_json(*r.stability) : Json(nullptr);

@@ -13,17 +13,38 @@ namespace sphverify {
 
 namespace {
 
-std::string scientific(Number const& value) { return value ? fmt::format("{:.1e}", *value) : "-"; }
+/// 4.9e-3: short enough for a column each.
+std::string scientific(Number const& value) {
+  if (!value) return "-";
+  if (*value == 0.0) return "0";
+  int exponent = static_cast<int>(std::floor(std::log10(std::abs(*value))));
+  double mantissa = *value / std::pow(10.0, exponent);
+  if (std::abs(mantissa) >= 9.95) {  // would be rounded to 10.0
+    mantissa /= 10.0;
+    ++exponent;
+  }
+  return fmt::format("{:.1f}e{}", mantissa, exponent);
+}
+
+std::string percent(Number const& value) {
+  if (!value) return "-";
+  double const hundredths = 100.0 * *value;
+  if (hundredths >= 10000.0) return scientific(hundredths) + "%";
+  return hundredths >= 10.0 ? fmt::format("{:.0f}%", hundredths) : fmt::format("{:.2g}%", hundredths);
+}
 
 std::string layout_name(LayoutChoice const& layout) {
-  return layout.id == "jittered" ? fmt::format("jittered {:g}", layout.amplitude) : layout.id;
+  return layout.id == "jittered" ? fmt::format("jitter {:g}", layout.amplitude) : layout.id;
 }
 
 /// "brookshaw" for "conduction/brookshaw": within a case the room says nothing.
-std::string short_name(std::string const& label) {
-  auto const slash = label.find('/');
-  return label.find(" + ") == std::string::npos && slash != std::string::npos ? label.substr(slash + 1)
-                                                                              : label;
+std::string short_name(SeriesRow const& row) {
+  std::string name = row.formulation;
+  std::string const off = " (walls off)";
+  if (name.ends_with(off)) name.erase(name.size() - off.size());
+  auto const slash = name.find('/');
+  if (name.find(" + ") == std::string::npos && slash != std::string::npos) name = name.substr(slash + 1);
+  return row.walls ? name : name + " (off)";
 }
 
 /// Which of a discretisation's choices differ between the rows, and so must be named.
@@ -56,7 +77,7 @@ struct Varying {
 
 /// What a row of a pivot stands for: formulation and the choices that differ.
 std::vector<std::string> row_key(SeriesRow const& row, Varying const& varying) {
-  std::vector<std::string> key{short_name(row.formulation)};
+  std::vector<std::string> key{short_name(row)};
   if (varying.density) key.push_back(row.discretisation.density);
   if (varying.face_weight) key.push_back(row.walls ? row.discretisation.face_weight : "");
   if (varying.closure) key.push_back(row.walls ? row.discretisation.closure : "");
@@ -76,12 +97,11 @@ std::vector<std::string> row_header(Varying const& varying) {
 }
 
 /// What a column of a pivot stands for: layout and refinement path.
-std::string column_key(SeriesRow const& row) {
-  std::string const path =
-      row.smoothing_exponent == 0.0
-          ? fmt::format("h/dx={:g}", row.discretisation.smoothing_ratio)
-          : fmt::format("h/dx={:g}~N^{:g}", row.discretisation.smoothing_ratio, row.smoothing_exponent);
-  return layout_name(row.discretisation.layout) + " " + path;
+std::string column_key(SeriesRow const& row, Varying const& varying) {
+  std::string key = layout_name(row.discretisation.layout);
+  if (varying.ratio) key += fmt::format(" {:g}", row.discretisation.smoothing_ratio);
+  if (row.smoothing_exponent != 0.0) key += fmt::format(" q={:g}", row.smoothing_exponent);
+  return key;
 }
 
 struct Cell {
@@ -95,18 +115,17 @@ Cell error_cell(SeriesRow const& row) {
   std::string const error = scientific(row.relative_error ? row.relative_error : row.error);
   Number const value = row.error;
   if (row.verdict == "asymptotic" && row.half_width) {
-    return {fmt::format("{} {:.2f}±{:.2f}", error, *row.order, *row.half_width), value};
+    return {fmt::format("{} {:.1f}±{:.1f}", error, *row.order, *row.half_width), value};
   }
   if (row.verdict == "pre-asymptotic" && row.order)
     return {fmt::format("{} ~{:.1f}", error, *row.order), value};
-  if (row.verdict == "diverging") return {error + " diverging", value};
+  if (row.verdict == "diverging") return {error + " diverges", value};
   return {error + " " + row.verdict, value};
 }
 
 Cell wall_flux_cell(SeriesRow const& row) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
-  return {row.wall_flux_error ? fmt::format("{:.2g}%", 100.0 * *row.wall_flux_error) : "-",
-          row.wall_flux_error};
+  return {percent(row.wall_flux_error), row.wall_flux_error};
 }
 
 Cell time_cell(SeriesRow const& row, double fastest) {
@@ -125,7 +144,7 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> keys;
   for (SeriesRow const& row : rows) {
-    if (std::string const c = column_key(row);
+    if (std::string const c = column_key(row, varying);
         std::find(columns.begin(), columns.end(), c) == columns.end()) {
       columns.push_back(c);
     }
@@ -141,7 +160,7 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
     for (std::size_t c = 0; c < columns.size(); ++c) {
       Cell cell{"", std::nullopt};
       for (SeriesRow const& row : rows) {
-        if (row_key(row, varying) == key && column_key(row) == columns[c]) cell = cell_of(row);
+        if (row_key(row, varying) == key && column_key(row, varying) == columns[c]) cell = cell_of(row);
       }
       cells.push_back(cell.text);
       row_values.push_back(cell.value);
@@ -162,10 +181,11 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
 /// Over everything that was run: how often each formulation converged, and how near it came.
 TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   TextTable table;
-  table.title =
-      fmt::format("Summary over all cases and discretisations ({}, region {})", options.norm, options.region);
-  table.header = {"formulation",  "converges", "floored",     "diverges", "fails",
-                  "median error", "worst",     "median flux", "ladders"};
+  table.title = fmt::format(
+      "Summary over all cases and discretisations ({}, region {}): which formulation to trust at a wall",
+      options.norm, options.region);
+  table.header = {"formulation", "ladders",      "converge", "floored",  "diverge",
+                  "fail",        "median error", "worst",    "wall flux"};
   std::vector<std::string> labels;
   for (SeriesRow const& row : rows) {
     if (std::find(labels.begin(), labels.end(), row.formulation) == labels.end())
@@ -180,8 +200,10 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
   for (std::string const& label : labels) {
     int converges = 0, floored = 0, diverges = 0, fails = 0, ladders = 0;
     std::vector<double> errors, fluxes;
+    std::string name;
     for (SeriesRow const& row : rows) {
       if (row.formulation != label) continue;
+      name = short_name(row);
       ++ladders;
       if (!row.failures.empty()) {
         ++fails;
@@ -193,12 +215,11 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
       if (row.relative_error) errors.push_back(*row.relative_error);
       if (row.wall_flux_error) fluxes.push_back(*row.wall_flux_error);
     }
-    Number const flux = median(fluxes);
     table.rows.push_back(
-        {short_name(label), fmt::format("{}", converges), fmt::format("{}", floored),
+        {name, fmt::format("{}", ladders), fmt::format("{}", converges), fmt::format("{}", floored),
          fmt::format("{}", diverges), fmt::format("{}", fails), scientific(median(errors)),
          scientific(errors.empty() ? Number() : Number(*std::max_element(errors.begin(), errors.end()))),
-         flux ? fmt::format("{:.2g}%", 100.0 * *flux) : "-", fmt::format("{}", ladders)});
+         percent(median(fluxes))});
   }
   return table;
 }
@@ -215,7 +236,7 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
     for (SeriesRow const& row : rows) {
       if (row.case_id == case_id && row.parameters == parameters) chosen.push_back(row);
     }
-    std::string const heading = fmt::format("{} ({})", case_id, parameters);
+    std::string const heading = fmt::format("{}\n  {}", case_id, parameters);
     text +=
         render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
                                  options.norm, chosen.front().field, options.region, chosen.front().finest),
@@ -227,8 +248,9 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
                          [&](SeriesRow const& r) { return (r.*member).has_value(); });
     };
     if (has(&SeriesRow::wall_flux_error)) {
-      text += render(pivot(fmt::format("{}: error of the heat flux through the walls", case_id), chosen,
-                           wall_flux_cell),
+      text += render(pivot(fmt::format("{}: error of the heat flux through the walls, N = {}", case_id,
+                                       chosen.front().finest),
+                           chosen, wall_flux_cell),
                      options.format, options.colour) +
               "\n";
     }
@@ -244,11 +266,12 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
   }
   text += render(summary(rows, options), options.format, options.colour);
   return text +
-         "\nErrors are relative to the same norm of the exact field (absolute where that is zero); * is the "
-         "best of "
-         "its column.\n1.23±0.10 is an order with its 95% interval (asymptotic), ~1.2 one that still "
-         "changes.\n"
-         "What the verdicts mean: sphverify describe order\n";
+         "\n* best of its column   (off): without wall terms   1.2±0.1: order with its 95% interval   ~1.2: "
+         "order still\n"
+         "changing   floored, diverges: does not converge   q: h/dx grows as N^q, else it is fixed\n"
+         "Errors are relative to the same norm of the exact field (absolute where that is zero), wall fluxes "
+         "to the\n"
+         "largest flux. What the verdicts mean: sphverify describe order\n";
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {

@@ -59,10 +59,8 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       seconds += run.cost->seconds;
       ++timed;
     }
-    double largest_flux = 0.0;
-    for (WallFlux const& wall : run.wall_flux) largest_flux = std::max(largest_flux, std::abs(wall.exact));
     for (WallFlux const& wall : run.wall_flux) {
-      raise(row.wall_flux_error, std::abs(wall.error) / (largest_flux > 0.0 ? largest_flux : 1.0));
+      if (wall.scale > 0.0) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
     }
     if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
       Budget const& b = energy->second;

@@ -266,12 +266,12 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
   }
   text += render(summary(rows, options), options.format, options.colour);
   return text +
-         "\n* best of its column   (off): without wall terms   1.2±0.1: order with its 95% interval   ~1.2: "
-         "order still\n"
-         "changing   floored, diverges: does not converge   q: h/dx grows as N^q, else it is fixed\n"
-         "Errors are relative to the same norm of the exact field (absolute where that is zero), wall fluxes "
-         "to the\n"
-         "largest flux. What the verdicts mean: sphverify describe order\n";
+         "\n* best of its column   (off): without wall terms   q: h/dx grows as N^q, else it is fixed\n"
+         "1.2±0.1: order with its 95% interval   ~1.2: order still changing   floored, diverges: no "
+         "convergence\n"
+         "Errors are relative to the same norm of the exact field (absolute where that is zero), wall "
+         "fluxes\n"
+         "to the largest flux. What the verdicts mean: sphverify describe order\n";
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {

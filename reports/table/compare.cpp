@@ -29,6 +29,7 @@ std::string scientific(Number const& value) {
 std::string percent(Number const& value) {
   if (!value) return "-";
   double const hundredths = 100.0 * *value;
+  if (hundredths < 1e-9) return "0%";  // rounding
   if (hundredths >= 10000.0) return scientific(hundredths) + "%";
   return hundredths >= 10.0 ? fmt::format("{:.0f}%", hundredths) : fmt::format("{:.2g}%", hundredths);
 }

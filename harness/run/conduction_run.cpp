@@ -244,6 +244,11 @@ class ConductionRun {
     }
     if (known) budget.wall_budget_defect = defect;
     record_.conservation["energy"] = budget;
+
+    Budget mass;  // frozen particles carry theirs along
+    for (double const m : particles_.masses()) mass.final += m;
+    mass.initial = mass.final;
+    record_.conservation["mass"] = mass;
   }
 
   void store_profile(std::vector<double> const& temperature) {

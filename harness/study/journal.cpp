@@ -1,9 +1,12 @@
 #include "harness/study/journal.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -22,9 +25,35 @@ std::size_t whole_lines(std::string const& text) {
   return last == std::string::npos ? 0 : last + 1;
 }
 
+/// Opens a journal for this process alone.
+OpenFile open_for_one(std::string const& path) {
+  OpenFile file(open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
+  if (file < 0) {
+    throw UserError(path, "", std::string("a place that cannot be written (") + std::strerror(errno) + ")",
+                    "room for the journal beside the results");
+  }
+  if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+    throw UserError(path, "", "a study that is still running", "one study at a time for these results");
+  }
+  return file;
+}
+
 }  // namespace
 
+OpenFile::~OpenFile() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
 Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::move(path)) {
+  file_ = open_for_one(path_);
+  if (!resume && lseek(file_, 0, SEEK_END) > 0) {
+    // Starting afresh was asked for, but another run's hours may be in there.
+    std::string const kept = path_ + ".old";
+    if (std::rename(path_.c_str(), kept.c_str()) != 0)
+      throw std::runtime_error(kept + ": " + std::strerror(errno));
+    fmt::print(stderr, "{}: starting afresh; the journal found there is kept as {}\n", path_, kept);
+    file_ = open_for_one(path_);
+  }
   std::string text;
   if (resume) {
     std::ifstream old(path_, std::ios::binary);
@@ -49,19 +78,10 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
     }
     start = end + 1;
   }
-  file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file_ < 0) {
-    throw UserError(path_, "", std::string("a place that cannot be written (") + std::strerror(errno) + ")",
-                    "room for the journal beside the results");
-  }
   if (ftruncate(file_, static_cast<off_t>(text.size())) != 0 || lseek(file_, 0, SEEK_END) < 0) {
     throw std::runtime_error(path_ + ": " + std::strerror(errno));
   }
   if (text.empty()) write_line(Json{{"schema", schema}, {"study", study}}.dump());
-}
-
-Journal::~Journal() {
-  if (file_ >= 0) close(file_);
 }
 
 void Journal::write_line(std::string const& line) {

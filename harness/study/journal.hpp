@@ -4,11 +4,28 @@
 #include <memory>
 #include <mutex>
 #include <string>
+#include <utility>
 
 #include "reports/json/node.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
+
+/// Owns an open file of the system.
+class OpenFile {
+ public:
+  explicit OpenFile(int descriptor = -1) : descriptor_(descriptor) {}
+  ~OpenFile();
+  OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  OpenFile& operator=(OpenFile&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  operator int() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
 
 /// Finished runs of a study under way, one line of JSON each, so that a killed study loses only the runs in
 /// flight. The first line holds the study, so that a journal is never taken up by another one.
@@ -17,14 +34,12 @@ class Journal {
   /// Opens the journal of a study. With `resume` what it holds is kept, a line cut short by a kill dropped; a
   /// journal of another study throws UserError. Without, it starts afresh.
   Journal(std::string path, Json const& study, bool resume);
-  ~Journal();
-  Journal(Journal const&) = delete;
-  Journal& operator=(Journal const&) = delete;
 
   /// Runs that were finished before, by their index in the study.
   std::map<std::size_t, RunRecord> const& finished() const { return finished_; }
 
-  /// Appends a finished run and makes sure that it reached the disc. May be called by several threads.
+  /// Appends a finished run with one write, so that a kill leaves whole lines. May be called by several
+  /// threads.
   void append(std::size_t index, RunRecord const& run);
 
   /// Removes the journal: its study is complete.
@@ -34,7 +49,7 @@ class Journal {
   void write_line(std::string const& line);
 
   std::string path_;
-  int file_ = -1;
+  OpenFile file_;
   std::map<std::size_t, RunRecord> finished_;
   std::mutex mutex_;
 };

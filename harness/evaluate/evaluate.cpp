@@ -44,13 +44,15 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
   return json;
 }
 
-/// A wall value can be had if the wall prescribes it or the particles carry what it is interpolated from.
+/// Why a scheme cannot be evaluated on a state; empty if it can.
 template <int Dim>
-bool can_evaluate(SchemeInfo const& scheme, State<Dim> const& state) {
+std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
   for (FieldInfo const& field : field_infos) {
-    if (scheme.reads.contains(field.field) && !state.particles.has(field.field)) return false;
+    if (scheme.reads.contains(field.field) && !state.particles.has(field.field)) {
+      return fmt::format("the state gives no {}", field.name);
+    }
   }
-  return true;
+  return "";
 }
 
 template <int Dim>
@@ -91,19 +93,24 @@ Json evaluate_in_dimension(Node const& document) {
   }
 
   Json rates = Json::object();
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (!can_evaluate(*scheme, state)) continue;
-    rates[std::string(scheme->id)] = rates_of(*scheme, particles, geometry, state.closure);
-  }
-  geometry.contacts.clear();
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (!can_evaluate(*scheme, state)) continue;
-    rates[std::string(scheme->id) + "-no-walls"] = rates_of(*scheme, particles, geometry, state.closure);
+  Json left_out = Json::object();
+  // With wall terms first; the contacts are then taken away for the controls.
+  for (std::string const suffix : {"", "-no-walls"}) {
+    if (!suffix.empty()) geometry.contacts.clear();
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      std::string const id = std::string(scheme->id) + suffix;
+      if (std::string const reason = missing_field(*scheme, state); !reason.empty()) {
+        left_out[id] = reason;
+      } else {
+        rates[id] = rates_of(*scheme, particles, geometry, state.closure);
+      }
+    }
   }
   return {{"schema", "sphverify-rates/1"},
           {"density", particles.scalar(Field::density)},
           {"walls", walls},
-          {"rates", rates}};
+          {"rates", rates},
+          {"left_out", left_out}};
 }
 
 }  // namespace

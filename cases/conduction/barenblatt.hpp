@@ -12,8 +12,9 @@ struct BarenblattPulse {
     return {.id = "conduction/barenblatt",
             .title = "Barenblatt's compact pulse of nonlinear conduction",
             .source = "Barenblatt 1952; Zel'dovich & Kompaneets 1950",
-            .equation = "dT/dt = d2(T^m)/dx2, K = m max(T, 0)^(m-1); "
-                        "T = t^-a (C - k x^2 t^-2a)^(1/(m-1)), a = 1/(m+1), k = (m-1)/(2m(m+1))",
+            .equation =
+                "dT/dt = d2(T^m)/dx2, K = m max(T, 0)^(m-1); "
+                "T = t^-a (C - k x^2 t^-2a)^(1/(m-1)), a = 1/(m+1), k = (m-1)/(2m(m+1))",
             .domain = "-half_width <= x <= half_width",
             .walls = "both prescribe T = 0; the front must stay inside",
             .initial = "the solution at start_time, from which times count",
@@ -28,13 +29,14 @@ struct BarenblattPulse {
     exact::Barenblatt const exact(p.number("exponent"), p.number("constant"), p.number("start_time"));
     double const half_width = p.number("half_width");
     double const final_time = p.number("final_time");
-    if (exact.front(final_time) >= half_width) {
+    if (!(exact.front(final_time) < half_width)) {
       throw std::invalid_argument("half_width must hold the front at the final time, which is at " +
                                   std::to_string(exact.front(final_time)) + "; found " +
                                   std::to_string(half_width));
     }
-    Problem<1> problem = conduction_problem(exact, slab<1>(-half_width, half_width), 1.0,
-                                            [exact](double T) { return exact.conductivity(T); }, true);
+    Problem<1> problem = conduction_problem(
+        exact, slab<1>(-half_width, half_width), 1.0, [exact](double T) { return exact.conductivity(T); },
+        true);
     for (Wall<1>& wall : problem.walls) prescribe_temperature(problem, wall);
     problem.landmarks["front"] = [exact](double t) { return exact.front(t); };
     problem.final_time = final_time;

@@ -25,9 +25,11 @@ struct HalfSpaceStep {
   }
   static AnyProblem problem(Parameters const& p) {
     double const conductivity = p.number("conductivity");
-    exact::HalfSpaceStep const exact(p.number("wall"), p.number("initial"), conductivity, p.number("density"));
-    Problem<1> problem = conduction_problem(exact, slab<1>(0.0, 1.0), p.number("density"),
-                                            [conductivity](double) { return conductivity; }, false);
+    exact::HalfSpaceStep const exact(p.number("wall"), p.number("initial"), conductivity,
+                                     p.number("density"));
+    Problem<1> problem = conduction_problem(
+        exact, slab<1>(0.0, 1.0), p.number("density"), [conductivity](double) { return conductivity; },
+        false);
     for (Wall<1>& wall : problem.walls) prescribe_temperature(problem, wall);
     problem.final_time = p.number("final_time");
     return problem;

@@ -12,8 +12,9 @@ struct ManufacturedConduction {
     return {.id = "conduction/manufactured",
             .title = "Manufactured conduction with varying density and conductivity K(x, T)",
             .source = "method of manufactured solutions (Roache 2002); the fields are ours",
-            .equation = "dT/dt = (1/rho) div(K grad T) + source, with T = 2 + 0.6 x + (1 + exp(-t))/4 sin(c), "
-                        "rho = 1.3 + 0.3 cos(b), K = scale (1 + 0.3 sin(d)) (1/2 + T^2/10); b, c, d linear in place",
+            .equation =
+                "dT/dt = (1/rho) div(K grad T) + source, with T = 2 + 0.6 x + (1 + exp(-t))/4 sin(c), "
+                "rho = 1.3 + 0.3 cos(b), K = scale (1 + 0.3 sin(d)) (1/2 + T^2/10); b, c, d linear in place",
             .domain = "0 <= x <= 1, other axes periodic with period 1",
             .walls = "x = 0 and x = 1 prescribe temperature, varying in place and time",
             .initial = "the solution at t = 0",
@@ -30,7 +31,9 @@ struct ManufacturedConduction {
       problem.domain = slab<Dim>(0.0, 1.0);
       problem.walls = slab_walls(problem.domain);
       problem.scalars[Field::density] = [exact](Point const& x, double) { return exact.density(x); };
-      problem.scalars[Field::temperature] = [exact](Point const& x, double t) { return exact.temperature(x, t); };
+      problem.scalars[Field::temperature] = [exact](Point const& x, double t) {
+        return exact.temperature(x, t);
+      };
       problem.vectors[Field::flux] = [exact](Point const& x, double t) { return exact.flux(x, t); };
       problem.conductivity = [exact](Point const& x, double T) { return exact.conductivity(x, T); };
       problem.conductivity_depends_on_temperature = true;

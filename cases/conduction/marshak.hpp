@@ -23,12 +23,12 @@ struct MarshakWave {
   static AnyProblem problem(Parameters const& p) {
     exact::Marshak const exact(p.number("exponent"));
     double const final_time = p.number("final_time");
-    if (exact.front(final_time) >= 1.0) {
+    if (!(exact.front(final_time) < 1.0)) {
       throw std::invalid_argument("final_time must leave the front inside x < 1, but it is at " +
                                   std::to_string(exact.front(final_time)));
     }
-    Problem<1> problem = conduction_problem(exact, slab<1>(0.0, 1.0), 1.0,
-                                            [exact](double T) { return exact.conductivity(T); }, true);
+    Problem<1> problem = conduction_problem(
+        exact, slab<1>(0.0, 1.0), 1.0, [exact](double T) { return exact.conductivity(T); }, true);
     for (Wall<1>& wall : problem.walls) prescribe_temperature(problem, wall);
     problem.landmarks["front"] = [exact](double t) { return exact.front(t); };
     problem.final_time = final_time;

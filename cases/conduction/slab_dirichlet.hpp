@@ -9,28 +9,31 @@ namespace sphverify {
 /// A slab between walls of fixed temperature.
 struct SlabDirichlet {
   static CaseInfo info() {
-    return {.id = "conduction/slab-dirichlet",
-            .title = "Slab between walls of fixed temperature",
-            .source = "Carslaw & Jaeger 1959, section 3.4",
-            .equation = "rho dT/dt = K d2T/dx2; T = left + (right - left) x + sum a sin(n pi x) exp(-(n pi)^2 K t/rho)",
-            .domain = "0 <= x <= 1",
-            .walls = "x = 0 and x = 1 prescribe temperature",
-            .initial = "the solution at t = 0",
-            .kind = CaseKind::conduction,
-            .parameters = {{"left", "K", "temperature of the wall x = 0", 1.0},
-                           {"right", "K", "temperature of the wall x = 1", 2.0},
-                           {"modes", "", "[[number n, amplitude a], ...]",
-                            std::vector<std::vector<double>>{{1.0, 1.0}, {3.0, 0.5}}},
-                           {"conductivity", "W/(m K)", "K", 1.0},
-                           {"density", "kg/m^3", "rho", 1.0},
-                           {"final_time", "s", "end of the run", 0.05}}};
+    return {
+        .id = "conduction/slab-dirichlet",
+        .title = "Slab between walls of fixed temperature",
+        .source = "Carslaw & Jaeger 1959, section 3.4",
+        .equation =
+            "rho dT/dt = K d2T/dx2; T = left + (right - left) x + sum a sin(n pi x) exp(-(n pi)^2 K t/rho)",
+        .domain = "0 <= x <= 1",
+        .walls = "x = 0 and x = 1 prescribe temperature",
+        .initial = "the solution at t = 0",
+        .kind = CaseKind::conduction,
+        .parameters = {{"left", "K", "temperature of the wall x = 0", 1.0},
+                       {"right", "K", "temperature of the wall x = 1", 2.0},
+                       {"modes", "", "[[number n, amplitude a], ...]",
+                        std::vector<std::vector<double>>{{1.0, 1.0}, {3.0, 0.5}}},
+                       {"conductivity", "W/(m K)", "K", 1.0},
+                       {"density", "kg/m^3", "rho", 1.0},
+                       {"final_time", "s", "end of the run", 0.05}}};
   }
   static AnyProblem problem(Parameters const& p) {
     double const conductivity = p.number("conductivity");
-    exact::SlabDirichlet const exact(p.number("left"), p.number("right"), modes(p.table("modes")), conductivity,
-                                     p.number("density"));
-    Problem<1> problem = conduction_problem(exact, slab<1>(0.0, 1.0), p.number("density"),
-                                            [conductivity](double) { return conductivity; }, false);
+    exact::SlabDirichlet const exact(p.number("left"), p.number("right"), modes(p.table("modes")),
+                                     conductivity, p.number("density"));
+    Problem<1> problem = conduction_problem(
+        exact, slab<1>(0.0, 1.0), p.number("density"), [conductivity](double) { return conductivity; },
+        false);
     for (Wall<1>& wall : problem.walls) prescribe_temperature(problem, wall);
     problem.final_time = p.number("final_time");
     return problem;

@@ -12,8 +12,9 @@ struct SlabFlux {
     return {.id = "conduction/slab-flux",
             .title = "Slab heated by a prescribed flux, insulated at the far side",
             .source = "Carslaw & Jaeger 1959, section 3.8",
-            .equation = "rho dT/dt = K d2T/dx2, -K dT/dx = flux at x = 0, 0 at x = 1; series in cosines (late) or "
-                        "images (early)",
+            .equation =
+                "rho dT/dt = K d2T/dx2, -K dT/dx = flux at x = 0, 0 at x = 1; series in cosines (late) or "
+                "images (early)",
             .domain = "0 <= x <= 1",
             .walls = "x = 0 prescribes the flux into the slab, x = 1 zero flux",
             .initial = "uniform",
@@ -27,8 +28,9 @@ struct SlabFlux {
   static AnyProblem problem(Parameters const& p) {
     double const conductivity = p.number("conductivity");
     exact::SlabFlux const exact(p.number("initial"), p.number("flux"), conductivity, p.number("density"));
-    Problem<1> problem = conduction_problem(exact, slab<1>(0.0, 1.0), p.number("density"),
-                                            [conductivity](double) { return conductivity; }, false);
+    Problem<1> problem = conduction_problem(
+        exact, slab<1>(0.0, 1.0), p.number("density"), [conductivity](double) { return conductivity; },
+        false);
     prescribe_flux(problem.walls[0], p.number("flux"));
     prescribe_flux(problem.walls[1], 0.0);
     problem.final_time = p.number("final_time");

@@ -17,18 +17,20 @@ struct SlabInsulated {
             .walls = "x = 0 and x = 1 prescribe zero flux",
             .initial = "the solution at t = 0",
             .kind = CaseKind::conduction,
-            .parameters = {{"mean", "K", "mean temperature", 1.0},
-                           {"modes", "", "[[number n, amplitude a], ...]",
-                            std::vector<std::vector<double>>{{1.0, 0.5}}},
-                           {"conductivity", "W/(m K)", "K", 1.0},
-                           {"density", "kg/m^3", "rho", 1.0},
-                           {"final_time", "s", "end of the run", 0.05}}};
+            .parameters = {
+                {"mean", "K", "mean temperature", 1.0},
+                {"modes", "", "[[number n, amplitude a], ...]", std::vector<std::vector<double>>{{1.0, 0.5}}},
+                {"conductivity", "W/(m K)", "K", 1.0},
+                {"density", "kg/m^3", "rho", 1.0},
+                {"final_time", "s", "end of the run", 0.05}}};
   }
   static AnyProblem problem(Parameters const& p) {
     double const conductivity = p.number("conductivity");
-    exact::SlabInsulated const exact(p.number("mean"), modes(p.table("modes")), conductivity, p.number("density"));
-    Problem<1> problem = conduction_problem(exact, slab<1>(0.0, 1.0), p.number("density"),
-                                            [conductivity](double) { return conductivity; }, false);
+    exact::SlabInsulated const exact(p.number("mean"), modes(p.table("modes")), conductivity,
+                                     p.number("density"));
+    Problem<1> problem = conduction_problem(
+        exact, slab<1>(0.0, 1.0), p.number("density"), [conductivity](double) { return conductivity; },
+        false);
     for (Wall<1>& wall : problem.walls) prescribe_flux(wall, 0.0);
     problem.final_time = p.number("final_time");
     return problem;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <memory>
+#include <cmath>
+#include <stdexcept>
 
 #include "cases/exact/mode.hpp"
 #include "cases/support/boxes.hpp"
@@ -13,12 +14,15 @@ namespace sphverify {
 /// domain, two walls that prescribe nothing yet, uniform density, conductivity, temperature and flux.
 template <class Exact>
 Problem<1> conduction_problem(Exact const& exact, Domain<1> const& domain, double density,
-                              std::function<double(double temperature)> conductivity, bool depends_on_temperature) {
+                              std::function<double(double temperature)> conductivity,
+                              bool depends_on_temperature) {
   Problem<1> problem;
   problem.domain = domain;
   problem.walls = slab_walls(domain);
   problem.scalars[Field::density] = [density](Vector<1> const&, double) { return density; };
-  problem.scalars[Field::temperature] = [exact](Vector<1> const& x, double t) { return exact.temperature(x[0], t); };
+  problem.scalars[Field::temperature] = [exact](Vector<1> const& x, double t) {
+    return exact.temperature(x[0], t);
+  };
   problem.conductivity = [conductivity](Vector<1> const&, double T) { return conductivity(T); };
   problem.conductivity_depends_on_temperature = depends_on_temperature;
   problem.vectors[Field::flux] = [exact, conductivity](Vector<1> const& x, double t) {
@@ -49,7 +53,9 @@ inline std::vector<exact::Mode> modes(std::vector<std::vector<double>> const& ta
   std::vector<exact::Mode> modes;
   for (auto const& row : table) {
     if (row.size() != 2) throw std::invalid_argument("modes must be a list of [number, amplitude]");
-    if (row[0] != static_cast<int>(row[0])) throw std::invalid_argument("a mode's number must be whole");
+    if (!(row[0] >= 1.0 && row[0] <= 1e6) || row[0] != std::floor(row[0])) {
+      throw std::invalid_argument("a mode's number must be whole, from 1 to 1e6");
+    }
     modes.push_back({static_cast<int>(row[0]), row[1]});
   }
   return modes;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "cases/exact/require.hpp"
+
 namespace sphverify::exact {
 
 /// f(x) = x^degree + 1 with its derivatives; degree 0 is the constant state f = 1 + 1 = 2.
@@ -22,7 +24,10 @@ class PolynomialProfile {
 /// f(x) = offset + sin(k x + phase) with its derivatives; k in 1/m. Exact to round-off.
 class SineProfile {
  public:
-  SineProfile(double wavenumber, double phase, double offset) : k_(wavenumber), phase_(phase), offset_(offset) {}
+  SineProfile(double wavenumber, double phase, double offset)
+      : k_(require_finite("wavenumber", wavenumber)),
+        phase_(require_finite("phase", phase)),
+        offset_(require_finite("offset", offset)) {}
 
   double value(double x) const { return offset_ + std::sin(k_ * x + phase_); }
   double first_derivative(double x) const { return k_ * std::cos(k_ * x + phase_); }

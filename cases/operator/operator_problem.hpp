@@ -5,8 +5,9 @@
 
 namespace sphverify {
 
-/// Rates on one profile f(x) in the slab [0, 1] of density 1 between walls that prescribe it: P = T = f, v = f e_x,
-/// K = 1. Then dv/dt = -f', de/dt of compression = -f f', d(e + v^2/2)/dt = -(f f)', de/dt of conduction = f''.
+/// Rates on one profile f(x) in the slab [0, 1] of density 1 between walls that prescribe it: P = T = f, v =
+/// f e_x, K = 1. Then dv/dt = -f', de/dt of compression = -f f', d(e + v^2/2)/dt = -(f f)', de/dt of
+/// conduction = f''.
 template <int Dim, class Profile>
 Problem<Dim> operator_problem(Profile const& profile) {
   using Point = Vector<Dim>;

@@ -12,8 +12,9 @@ struct OperatorPolynomial {
     return {.id = "operator/polynomial",
             .title = "Rates on x^degree + 1; degree 0 is the constant state",
             .source = "differentiation",
-            .equation = "f = x^degree + 1: P = T = f, v = f e_x, rho = K = 1; "
-                        "dv/dt = -f', work = -f f' (internal) or -(f f)' (total), heating = f''",
+            .equation =
+                "f = x^degree + 1: P = T = f, v = f e_x, rho = K = 1; "
+                "dv/dt = -f', work = -f f' (internal) or -(f f)' (total), heating = f''",
             .domain = "0 <= x <= 1, other axes periodic",
             .walls = "x = 0 and x = 1 prescribe pressure, velocity and temperature",
             .initial = "f, no time",
@@ -23,7 +24,8 @@ struct OperatorPolynomial {
   }
   static AnyProblem problem(Parameters const& p) {
     int const degree = p.integer("degree");
-    if (degree < 0) throw std::invalid_argument("degree must not be negative, found " + std::to_string(degree));
+    if (degree < 0)
+      throw std::invalid_argument("degree must not be negative, found " + std::to_string(degree));
     return in_dimension(p.integer("dimension"), [&]<int Dim>() -> AnyProblem {
       return operator_problem<Dim>(exact::PolynomialProfile(degree));
     });

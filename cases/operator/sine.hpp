@@ -12,8 +12,9 @@ struct OperatorSine {
     return {.id = "operator/sine",
             .title = "Rates on offset + sin(k x + phase)",
             .source = "differentiation",
-            .equation = "f = offset + sin(k x + phase): P = T = f, v = f e_x, rho = K = 1; "
-                        "dv/dt = -f', work = -f f' (internal) or -(f f)' (total), heating = f''",
+            .equation =
+                "f = offset + sin(k x + phase): P = T = f, v = f e_x, rho = K = 1; "
+                "dv/dt = -f', work = -f f' (internal) or -(f f)' (total), heating = f''",
             .domain = "0 <= x <= 1, other axes periodic",
             .walls = "x = 0 and x = 1 prescribe pressure, velocity and temperature",
             .initial = "f, no time",

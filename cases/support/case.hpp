@@ -45,9 +45,12 @@ Case const* find_case(std::string_view id);
 template <class Make>
 AnyProblem in_dimension(int dimension, Make const& make) {
   switch (dimension) {
-    case 1: return make.template operator()<1>();
-    case 2: return make.template operator()<2>();
-    case 3: return make.template operator()<3>();
+    case 1:
+      return make.template operator()<1>();
+    case 2:
+      return make.template operator()<2>();
+    case 3:
+      return make.template operator()<3>();
     default:
       throw std::invalid_argument("dimension must be 1, 2 or 3, found " + std::to_string(dimension));
   }

@@ -17,13 +17,14 @@ using ScalarFunction = std::function<double(Vector<Dim> const& x, double time)>;
 template <int Dim>
 using VectorFunction = std::function<Vector<Dim>(Vector<Dim> const& x, double time)>;
 
-/// A case with its parameters put in: where the fluid is, what its walls prescribe, what drives it, and the exact
-/// solution. The initial state is the exact solution at time 0. It knows nothing of particles or formulations.
+/// A case with its parameters put in: where the fluid is, what its walls prescribe, what drives it, and the
+/// exact solution. The initial state is the exact solution at time 0. It knows nothing of particles or
+/// formulations.
 template <int Dim>
 struct Problem {
-  Domain<Dim> domain;              ///< [m]
-  std::vector<Wall<Dim>> walls;    ///< planes on sides of the domain, in the order in which they are reported
-  double final_time = 0.0;         ///< [s]; 0 where only rates are compared
+  Domain<Dim> domain;            ///< [m]
+  std::vector<Wall<Dim>> walls;  ///< planes on sides of the domain, in the order in which they are reported
+  double final_time = 0.0;       ///< [s]; 0 where only rates are compared
 
   /// Exact fields, position and time in. The density among them must not depend on time in a frozen case.
   std::map<Field, ScalarFunction<Dim>> scalars;

@@ -12,7 +12,8 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
     : positions_(&positions), domain_(domain), reach_(reach) {
   std::size_t const n = positions.size();
   if (n >= std::numeric_limits<std::uint32_t>::max()) {
-    throw std::invalid_argument("too many particles for 32-bit neighbour indices: found " + std::to_string(n));
+    throw std::invalid_argument("too many particles for 32-bit neighbour indices: found " +
+                                std::to_string(n));
   }
   for (int k = 0; k < Dim; ++k) {
     auto const& x = positions.component(k);
@@ -24,8 +25,9 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
     if (domain.periodic[k]) {
       double const period = highest - lowest;
       if (period < 2.0 * reach) {
-        throw std::invalid_argument("periodic axis " + std::to_string(k) + " is shorter than two supports: found " +
-                                    std::to_string(period) + ", expected at least " + std::to_string(2.0 * reach));
+        throw std::invalid_argument("periodic axis " + std::to_string(k) +
+                                    " is shorter than two supports: found " + std::to_string(period) +
+                                    ", expected at least " + std::to_string(2.0 * reach));
       }
     } else if (n > 0) {
       lowest = *std::min_element(x.begin(), x.end());
@@ -34,7 +36,8 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
     origin_[k] = lowest;
     double const extent = std::max(highest - lowest, reach);
     // No more cells than particles along an axis: empty cells cost memory and find nothing.
-    double const cells = std::min(std::floor(extent / reach), static_cast<double>(std::max<std::size_t>(n, 1)));
+    double const cells =
+        std::min(std::floor(extent / reach), static_cast<double>(std::max<std::size_t>(n, 1)));
     cell_count_[k] = std::max(1L, static_cast<long>(cells));
     cell_size_[k] = extent / static_cast<double>(cell_count_[k]);
   }

@@ -10,8 +10,8 @@
 
 namespace sphverify {
 
-/// Particles sorted into cells no smaller than a reach, so that all within that reach of a point are found in the
-/// 3^Dim cells around it. Built in O(N); keeps a reference to the positions, which must outlive it.
+/// Particles sorted into cells no smaller than a reach, so that all within that reach of a point are found in
+/// the 3^Dim cells around it. Built in O(N); keeps a reference to the positions, which must outlive it.
 template <int Dim>
 class CellGrid {
  public:

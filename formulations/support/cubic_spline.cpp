@@ -12,19 +12,39 @@ struct Piece {
   double from, to;
   std::array<double, 4> coefficient;
 };
-constexpr std::array<Piece, 2> pieces{{{0.0, 1.0, {1.0, 0.0, -1.5, 0.75}}, {1.0, 2.0, {2.0, -3.0, 1.5, -0.25}}}};
+constexpr std::array<Piece, 2> pieces{
+    {{0.0, 1.0, {1.0, 0.0, -1.5, 0.75}}, {1.0, 2.0, {2.0, -3.0, 1.5, -0.25}}}};
 
 /// Antiderivative by q of q^(n+1)/sqrt(q^2 - delta^2) for n = 0..3, zero at q = delta.
 std::array<double, 4> chord_moments(double q, double delta) {
   double const s = std::sqrt(std::max(0.0, (q - delta) * (q + delta)));
   double const d2 = delta * delta;
-  double const d2_log = delta > 0.0 ? d2 * std::acosh(std::max(1.0, q / delta)) : 0.0;
+  double const d2_log = delta > 0.0 ? d2 * std::asinh(s / delta) : 0.0;  // acosh(q/delta)
   return {s, 0.5 * (q * s + d2_log), s * (s * s / 3.0 + d2),
           0.25 * q * q * q * s + 0.375 * d2 * (q * s + d2_log)};
 }
 
+/// The same where the closed form is a small difference of large terms: with s = t edge along the line and
+/// 2 - q = (4 - q^2)/(2 + q) the integrand loses no digits, and is so smooth that 8 Gauss points suffice.
+double line_integral_2d_near_edge(double delta) {
+  constexpr std::array<double, 4> node{0.18343464249564980, 0.52553240991632899, 0.79666647741362674,
+                                       0.96028985649753623};
+  constexpr std::array<double, 4> weight{0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
+                                         0.10122853629037626};
+  double const squared_edge = (2.0 - delta) * (2.0 + delta);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) {
+    for (double const t : {0.5 - 0.5 * node[k], 0.5 + 0.5 * node[k]}) {
+      double const p = squared_edge * (1.0 - t * t) / (2.0 + std::sqrt(delta * delta + squared_edge * t * t));
+      sum += 0.5 * weight[k] * p * p * p;
+    }
+  }
+  return 0.25 * std::sqrt(squared_edge) * sum;
+}
+
 /// int_delta^2 w(q) q / sqrt(q^2 - delta^2) dq: half the line integral of the 2D shape at distance delta.
 double line_integral_2d(double delta) {
+  if (delta > 1.8) return line_integral_2d_near_edge(delta);
   double sum = 0.0;
   for (Piece const& piece : pieces) {
     if (piece.to <= delta) continue;
@@ -43,7 +63,9 @@ double beyond_line_2d(double delta) {
     double const from = std::max(piece.from, delta);
     auto const upper = chord_moments(piece.to, delta);
     auto const lower = chord_moments(from, delta);
-    auto const angle = [delta](double q) { return q > 0.0 ? std::acos(std::min(1.0, delta / q)) : 0.0; };
+    auto const angle = [delta](double q) {
+      return q > delta ? std::atan2(std::sqrt((q - delta) * (q + delta)), delta) : 0.0;
+    };
     double upper_power = piece.to * piece.to;
     double lower_power = from * from;
     for (int n = 0; n < 4; ++n) {
@@ -69,8 +91,8 @@ double CubicSpline<Dim>::plane_integral(double d, double h) {
   } else {
     double const p = 2.0 - delta;
     double const d2 = delta * delta;
-    double const moment = delta < 1.0 ? 0.35 - d2 * (0.5 - d2 * (0.375 - 0.15 * delta))
-                                      : p * p * p * p * (0.125 - 0.05 * p);
+    double const moment =
+        delta < 1.0 ? 0.35 - d2 * (0.5 - d2 * (0.375 - 0.15 * delta)) : p * p * p * p * (0.125 - 0.05 * p);
     return 2.0 * std::numbers::pi * sigma / h * moment;
   }
 }
@@ -88,9 +110,8 @@ double CubicSpline<Dim>::inner_fraction(double d, double h) {
     return 1.0 - 2.0 * sigma * beyond_line_2d(delta);
   } else {
     double const two_pi_sigma = 2.0 * std::numbers::pi * sigma;
-    return delta < 1.0
-               ? 0.5 + two_pi_sigma * delta * (0.35 - d2 * (1.0 / 6.0 - d2 * (0.075 - 0.025 * delta)))
-               : 1.0 - two_pi_sigma * p * p * p * p * p * (0.025 - p / 120.0);
+    return delta < 1.0 ? 0.5 + two_pi_sigma * delta * (0.35 - d2 * (1.0 / 6.0 - d2 * (0.075 - 0.025 * delta)))
+                       : 1.0 - two_pi_sigma * p * p * p * p * p * (0.025 - p / 120.0);
   }
 }
 

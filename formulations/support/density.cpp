@@ -9,9 +9,10 @@ std::vector<double> summation_density(CellGrid<Dim> const& grid, double h, std::
   std::vector<double> density(mass.size());
   for (std::size_t i = 0; i < mass.size(); ++i) {
     double sum = 0.0;
-    grid.for_each_within_reach(grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-      sum += mass[j] * CubicSpline<Dim>::value(distance, h);
-    });
+    grid.for_each_within_reach(grid.positions()[i],
+                               [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+                                 sum += mass[j] * CubicSpline<Dim>::value(distance, h);
+                               });
     density[i] = sum;
   }
   return density;
@@ -24,8 +25,8 @@ double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, 
   return inside;
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                              \
-  template std::vector<double> summation_density(CellGrid<Dim> const&, double, std::vector<double> const&);     \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                          \
+  template std::vector<double> summation_density(CellGrid<Dim> const&, double, std::vector<double> const&); \
   template double kernel_inside(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

@@ -19,8 +19,8 @@ template <int Dim>
 std::vector<double> summation_density(CellGrid<Dim> const& grid, double smoothing_length,
                                       std::vector<double> const& mass);
 
-/// Gamma at a point: 1 - sum over walls of the part of the kernel beyond each. Exact while no two walls' outer sides
-/// overlap within the support (parallel walls; not corners).
+/// Gamma at a point: 1 - sum over walls of the part of the kernel beyond each. Exact while no two walls'
+/// outer sides overlap within the support (parallel walls; not corners).
 template <int Dim>
 double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double smoothing_length);
 

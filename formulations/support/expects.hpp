@@ -4,8 +4,8 @@
 
 namespace sphverify {
 
-/// States a precondition of ours; a violation is a mistake in this project, never the user's. Checked in builds
-/// with assertions, free in release.
+/// States a precondition of ours; a violation is a mistake in this project, never the user's. Checked in
+/// builds with assertions, free in release.
 inline void expects([[maybe_unused]] bool condition) { assert(condition); }
 
 }  // namespace sphverify

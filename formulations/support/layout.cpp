@@ -14,7 +14,7 @@ Layout<Dim> lattice(Domain<Dim> const& domain, int resolution) {
   Layout<Dim> layout;
   layout.spacing = extent[0] / resolution;
   std::array<std::size_t, Dim> count;
-  Vector<Dim> cell;
+  Vector<Dim>& cell = layout.cell;
   std::size_t total = 1;
   double volume = 1.0;
   for (int k = 0; k < Dim; ++k) {
@@ -40,12 +40,14 @@ Layout<Dim> lattice(Domain<Dim> const& domain, int resolution) {
 
 namespace {
 
-/// Uniform in [-1, 1) from the top 53 bits: std::uniform_real_distribution may differ between standard libraries.
+/// Uniform in [-1, 1) from the top 53 bits: std::uniform_real_distribution may differ between standard
+/// libraries.
 double signed_unit_deviate(std::mt19937_64& generator) {
   return static_cast<double>(generator() >> 11) * 0x1.0p-52 - 1.0;
 }
 
-/// Half the distance between a particle's two neighbours, the domain's ends taking the place of a missing one.
+/// Half the distance between a particle's two neighbours, the domain's ends taking the place of a missing
+/// one.
 void set_voronoi_volumes(Layout<1>& layout, Domain<1> const& domain) {
   auto const& x = layout.positions.component(0);
   std::size_t const n = x.size();
@@ -55,8 +57,8 @@ void set_voronoi_volumes(Layout<1>& layout, Domain<1> const& domain) {
   double const across = domain.periodic[0] ? 0.5 * (x.front() + x.back() - (upper - lower)) : lower;
   double left = across;
   for (std::size_t i = 0; i < n; ++i) {
-    double const right = i + 1 < n ? 0.5 * (x[i] + x[i + 1])
-                                   : (domain.periodic[0] ? across + (upper - lower) : upper);
+    double const right =
+        i + 1 < n ? 0.5 * (x[i] + x[i + 1]) : (domain.periodic[0] ? across + (upper - lower) : upper);
     layout.volumes[i] = right - left;
     left = right;
   }
@@ -71,7 +73,8 @@ Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude
   std::mt19937_64 generator(seed);
   for (std::size_t i = 0; i < layout.volumes.size(); ++i) {
     Vector<Dim> displacement;
-    for (int k = 0; k < Dim; ++k) displacement[k] = amplitude * layout.spacing * signed_unit_deviate(generator);
+    for (int k = 0; k < Dim; ++k)
+      displacement[k] = amplitude * layout.cell[k] * signed_unit_deviate(generator);
     layout.positions.add(i, displacement);
   }
   if constexpr (Dim == 1) set_voronoi_volumes(layout, domain);

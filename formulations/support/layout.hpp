@@ -15,15 +15,17 @@ struct Layout {
   VectorField<Dim> positions;
   std::vector<double> volumes;  ///< [m^Dim]; they add up to the domain's
   double spacing = 0.0;         ///< dx along the first axis [m]
+  Vector<Dim> cell;  ///< size of the lattice's cells [m]; dx along the first axis, near it along others
 };
 
-/// Particles in a lattice at the centres of equal cells, `resolution` along the first axis; along the others as many
-/// as make the cells most nearly cubic.
+/// Particles in a lattice at the centres of equal cells, `resolution` along the first axis; along the others
+/// as many as make the cells most nearly cubic.
 template <int Dim>
 Layout<Dim> lattice(Domain<Dim> const& domain, int resolution);
 
-/// The lattice with every coordinate displaced by a uniform deviate in +-amplitude dx, the same on every machine for
-/// one seed. Volumes are Voronoi volumes in 1D, cell volumes otherwise. Expects 0 <= amplitude < 0.5.
+/// The lattice with every coordinate displaced by a uniform deviate in +-amplitude cells, the same on every
+/// machine for one seed. Volumes are Voronoi volumes in 1D, cell volumes otherwise. Expects 0 <= amplitude <
+/// 0.5.
 template <int Dim>
 Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude, std::uint64_t seed);
 

@@ -13,7 +13,8 @@ NeighbourList find_neighbours(CellGrid<Dim> const& grid) {
   list.first.reserve(n + 1);
   list.first.push_back(0);
   for (std::size_t i = 0; i < n; ++i) {
-    grid.for_each_within_reach(grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+    grid.for_each_within_reach(grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const&,
+                                                        double distance) {
       if (j == i) return;
       if (distance == 0.0) {
         throw std::invalid_argument("particles " + std::to_string(std::min<std::size_t>(i, j)) + " and " +

@@ -8,8 +8,8 @@
 
 namespace sphverify {
 
-/// Directed neighbour pairs in compressed rows: row i lists, in ascending order, every j != i that is closer to i
-/// than the grid's reach.
+/// Directed neighbour pairs in compressed rows: row i lists, in ascending order, every j != i that is closer
+/// to i than the grid's reach.
 struct NeighbourList {
   std::vector<std::size_t> first;        ///< rows + 1 offsets into `neighbour`
   std::vector<std::uint32_t> neighbour;  ///< one entry per directed pair

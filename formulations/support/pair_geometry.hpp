@@ -9,8 +9,8 @@
 
 namespace sphverify {
 
-/// Everything that depends on where the particles are: neighbours, kernel weights, wall contacts. `contacts` is empty
-/// where a formulation has no wall terms, else it has one entry per wall of `walls`.
+/// Everything that depends on where the particles are: neighbours, kernel weights, wall contacts. `contacts`
+/// is empty where a formulation has no wall terms, else it has one entry per wall of `walls`.
 template <int Dim>
 struct PairGeometry {
   NeighbourList neighbours;

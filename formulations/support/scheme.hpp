@@ -11,16 +11,17 @@ namespace sphverify {
 
 /// What a scheme computes, and so what it is compared with.
 enum class Rate {
-  acceleration,         ///< dv/dt, a vector  [m/s^2]
-  internal_work,        ///< de/dt of compression  [W/kg]
-  total_work,           ///< d(e + v^2/2)/dt of pressure forces  [W/kg]
-  conduction_heating    ///< de/dt of heat conduction  [W/kg]
+  acceleration,       ///< dv/dt, a vector  [m/s^2]
+  internal_work,      ///< de/dt of compression  [W/kg]
+  total_work,         ///< d(e + v^2/2)/dt of pressure forces  [W/kg]
+  conduction_heating  ///< de/dt of heat conduction  [W/kg]
 };
 
 enum class Invariant { momentum, energy };
 using InvariantSet = FlagSet<Invariant>;
 
-/// What a scheme says of itself; everything that the program lists, describes, allocates and checks comes from here.
+/// What a scheme says of itself; everything that the program lists, describes, allocates and checks comes
+/// from here.
 struct SchemeInfo {
   std::string_view id;
   std::string_view title;
@@ -33,9 +34,9 @@ struct SchemeInfo {
   BoundaryValueSet boundary;                     ///< what it reads at a wall, prescribed or closed
   BoundaryValueSet boundary_if_prescribed = {};  ///< what it reads only where the wall prescribes it
   InvariantSet conserves = {};                   ///< to round-off between particles
-  FieldSet non_negative = {};                    ///< fields of which a negative value leaves the scheme undefined
-  bool two_pass = false;                         ///< has a first pass, which computes the flux
-  std::string_view work_partner = {};            ///< of a momentum form: its default energy equation
+  FieldSet non_negative = {};          ///< fields of which a negative value leaves the scheme undefined
+  bool two_pass = false;               ///< has a first pass, which computes the flux
+  std::string_view work_partner = {};  ///< of a momentum form: its default energy equation
 };
 
 }  // namespace sphverify

@@ -10,8 +10,8 @@
 
 namespace sphverify {
 
-/// Calls row(i) for i in [0, count). With several threads every row is still computed by one of them, start to end,
-/// so that results do not depend on their number.
+/// Calls row(i) for i in [0, count). With several threads every row is still computed by one of them, start
+/// to end, so that results do not depend on their number.
 template <class Row>
 void for_each_row(std::size_t count, int threads, Row const& row) {
   if (threads <= 1) {
@@ -39,8 +39,8 @@ void increase(VectorField<Dim>& out, std::size_t i, Vector<Dim> const& value) {
 
 /// out_i = sum over neighbours j of term(i, j, kernel): the one pair loop behind every scheme.
 template <class Value, int Dim, class Out, class Term>
-void sweep_pairs(NeighbourList const& neighbours, PairWeights<Dim> const& weights, Particles<Dim> const& particles,
-                 int threads, Out& out, Term const& term) {
+void sweep_pairs(NeighbourList const& neighbours, PairWeights<Dim> const& weights,
+                 Particles<Dim> const& particles, int threads, Out& out, Term const& term) {
   FieldPointers<Dim> const fields(particles);
   for_each_row(neighbours.rows(), threads, [&](std::size_t i) {
     ParticleView<Dim> const particle(fields, i);
@@ -53,9 +53,11 @@ void sweep_pairs(NeighbourList const& neighbours, PairWeights<Dim> const& weight
   });
 }
 
-/// out_i += term(i, wall) for every contact; returns sum_i m_i term: what the wall gives to the particles, per time.
+/// out_i += term(i, wall) for every contact; returns sum_i m_i term: what the wall gives to the particles,
+/// per time.
 template <class Value, int Dim, class Out, class Term>
-Value sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out, Term const& term) {
+Value sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out,
+                 Term const& term) {
   FieldPointers<Dim> const fields(particles);
   Value total{};
   if constexpr (!std::is_same_v<Value, double>) total.setZero();

@@ -13,11 +13,16 @@ namespace sphverify {
 template <int Dim>
 bool Wall<Dim>::prescribes(BoundaryValue value) const {
   switch (value) {
-    case BoundaryValue::pressure: return static_cast<bool>(pressure);
-    case BoundaryValue::velocity: return static_cast<bool>(velocity);
-    case BoundaryValue::temperature: return static_cast<bool>(temperature);
-    case BoundaryValue::conductivity: return static_cast<bool>(conductivity);
-    case BoundaryValue::flux: return static_cast<bool>(flux);
+    case BoundaryValue::pressure:
+      return static_cast<bool>(pressure);
+    case BoundaryValue::velocity:
+      return static_cast<bool>(velocity);
+    case BoundaryValue::temperature:
+      return static_cast<bool>(temperature);
+    case BoundaryValue::conductivity:
+      return static_cast<bool>(conductivity);
+    case BoundaryValue::flux:
+      return static_cast<bool>(flux);
   }
   return false;
 }
@@ -38,12 +43,15 @@ double face_weight(double d, double h, FaceWeight rule) {
   if (rule != FaceWeight::campbell) return CubicSpline<Dim>::plane_integral(d, h);
   if (d >= 2.0 * h) return 0.0;
   double const squared_radius = 4.0 * h * h - d * d;  // of the disc that the support cuts out of the plane
-  double const area = Dim == 1 ? 1.0 : Dim == 2 ? 2.0 * std::sqrt(squared_radius) : std::numbers::pi * squared_radius;
+  double const area = Dim == 1   ? 1.0
+                      : Dim == 2 ? 2.0 * std::sqrt(squared_radius)
+                                 : std::numbers::pi * squared_radius;
   return CubicSpline<Dim>::value(d, h) * area;
 }
 
 template <int Dim>
-double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double h, std::vector<double> const& mass) {
+double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double h,
+                    std::vector<double> const& mass) {
   double sum = 0.0;
   grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
     sum += mass[j] * CubicSpline<Dim>::value(distance, h);
@@ -58,12 +66,11 @@ template <int Dim>
 double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal, double h,
                             std::vector<double> const& mass, std::vector<double> const& density) {
   double sum = 0.0;
-  grid.for_each_within_reach(grid.positions()[i],
-                             [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
-                               if (j == i) return;
-                               sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h) *
-                                      separation.dot(normal);
-                             });
+  grid.for_each_within_reach(
+      grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
+        if (j == i) return;
+        sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h) * separation.dot(normal);
+      });
   return sum;
 }
 
@@ -89,10 +96,13 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
   for (std::size_t i = 0; i < positions.size(); ++i) {
     double const d = wall.distance(positions[i]);
     if (d <= 0.0) {
-      throw std::invalid_argument("particle " + std::to_string(i) + " lies on or outside a wall: its distance is " +
-                                  std::to_string(d) + ", expected a positive one");
+      throw std::invalid_argument("particle " + std::to_string(i) +
+                                  " lies on or outside a wall: its distance is " + std::to_string(d) +
+                                  ", expected a positive one");
     }
     if (d >= grid.reach()) continue;
+    if (foot_density(grid, wall.foot(positions[i]), h, mass) <= 0.0)
+      continue;  // alone, and at reach but for round-off
     contacts.particle.push_back(static_cast<std::uint32_t>(i));
     contacts.distance.push_back(d);
     bool const balance =
@@ -166,8 +176,8 @@ void one_sided_flux(WallContacts<Dim>& contacts, Particles<Dim> const& particles
 
 /// T_B = T_i - (F_B . n) d_i / K_i where the wall prescribes flux only.
 template <int Dim>
-void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
-                           double time) {
+void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
+                           Particles<Dim> const& particles, double time) {
   auto const& T = particles.scalar(Field::temperature);
   auto const& K = particles.scalar(Field::conductivity);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -179,8 +189,8 @@ void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall, P
 }
 
 template <int Dim>
-void fill_scalar(WallContacts<Dim>& contacts, ScalarAtWall<Dim> const& prescribed, Particles<Dim> const& particles,
-                 Field field, std::vector<double>& out, double time) {
+void fill_scalar(WallContacts<Dim>& contacts, ScalarAtWall<Dim> const& prescribed,
+                 Particles<Dim> const& particles, Field field, std::vector<double>& out, double time) {
   out.resize(contacts.size());
   if (prescribed) {
     for (std::size_t c = 0; c < contacts.size(); ++c) out[c] = prescribed(contacts.foot[c], time);
@@ -190,8 +200,8 @@ void fill_scalar(WallContacts<Dim>& contacts, ScalarAtWall<Dim> const& prescribe
 }
 
 template <int Dim>
-void fill_vector(WallContacts<Dim>& contacts, VectorAtWall<Dim> const& prescribed, Particles<Dim> const& particles,
-                 Field field, VectorField<Dim>& out, double time) {
+void fill_vector(WallContacts<Dim>& contacts, VectorAtWall<Dim> const& prescribed,
+                 Particles<Dim> const& particles, Field field, VectorField<Dim>& out, double time) {
   if (out.size() != contacts.size()) out = VectorField<Dim>(contacts.size());
   if (prescribed) {
     for (std::size_t c = 0; c < contacts.size(); ++c) out.set(c, prescribed(contacts.foot[c], time));
@@ -234,16 +244,16 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
   }
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                             \
-  template struct Wall<Dim>;                                                                                   \
-  template struct WallContacts<Dim>;                                                                           \
-  template double face_weight<Dim>(double, double, FaceWeight);                                                \
-  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, double, std::vector<double> const&);  \
-  template WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const&, Wall<Dim> const&,                        \
-                                                std::vector<Wall<Dim>> const&, double,                         \
-                                                std::vector<double> const&, std::vector<double> const&,        \
-                                                FaceWeight);                                                   \
-  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,              \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                \
+  template struct Wall<Dim>;                                                                      \
+  template struct WallContacts<Dim>;                                                              \
+  template double face_weight<Dim>(double, double, FaceWeight);                                   \
+  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, double,                  \
+                               std::vector<double> const&);                                       \
+  template WallContacts<Dim> find_wall_contacts(                                                  \
+      CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, double,              \
+      std::vector<double> const&, std::vector<double> const&, FaceWeight);                        \
+  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&, \
                                      BoundaryValueSet, Closure, double);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

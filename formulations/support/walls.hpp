@@ -33,8 +33,8 @@ using ScalarAtWall = std::function<double(Vector<Dim> const& foot, double time)>
 template <int Dim>
 using VectorAtWall = std::function<Vector<Dim>(Vector<Dim> const& foot, double time)>;
 
-/// A plane wall and what it prescribes; empty functions are not prescribed. A wall that prescribes temperature
-/// prescribes conductivity too.
+/// A plane wall and what it prescribes; empty functions are not prescribed. A wall that prescribes
+/// temperature prescribes conductivity too.
 template <int Dim>
 struct Wall {
   Vector<Dim> point;           ///< any point of the plane [m]
@@ -51,8 +51,8 @@ struct Wall {
   bool prescribes(BoundaryValue value) const;
 };
 
-/// The particles within the kernel's support of one wall, with what depends on geometry alone, and the boundary
-/// values at their foot points. All arrays but `interpolation_*` have one entry per contact.
+/// The particles within the kernel's support of one wall, with what depends on geometry alone, and the
+/// boundary values at their foot points. All arrays but `interpolation_*` have one entry per contact.
 template <int Dim>
 struct WallContacts {
   Vector<Dim> outward_normal;
@@ -67,9 +67,9 @@ struct WallContacts {
   std::vector<double> pressure, temperature, conductivity;  ///< empty unless a scheme asked for them
   VectorField<Dim> velocity, flux;
 
-  std::vector<std::size_t> interpolation_first;         ///< contacts + 1 offsets into the two below
+  std::vector<std::size_t> interpolation_first;        ///< contacts + 1 offsets into the two below
   std::vector<std::uint32_t> interpolation_neighbour;  ///< particles within support of the foot point
-  std::vector<double> interpolation_kernel;             ///< 2 W(r_j - r_B)
+  std::vector<double> interpolation_kernel;            ///< 2 W(r_j - r_B)
 
   std::size_t size() const { return particle.size(); }
   std::size_t bytes() const;
@@ -90,7 +90,8 @@ template <int Dim>
 double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double smoothing_length,
                     std::vector<double> const& mass);
 
-/// Face weight of one particle at distance d >= 0 by a rule that needs the distance only (campbell, exact). [1/m]
+/// Face weight of one particle at distance d >= 0 by a rule that needs the distance only (campbell, exact).
+/// [1/m]
 template <int Dim>
 double face_weight(double d, double smoothing_length, FaceWeight rule);
 

@@ -39,16 +39,17 @@ void describe(DescribeOptions const& options) {
     write_document("-", document_text(document));
     return;
   }
-  fmt::print("{}\n  {}\n", found->id, found->title);
+  std::string text = fmt::format("{}\n  {}\n", found->id, found->title);
   for (auto const& [label, value] : details.items()) {
     if (value.is_null() || value.empty() || (value.is_string() && value.get<std::string>().empty())) continue;
-    fmt::print("\n{}\n", label);
+    text += fmt::format("\n{}\n", label);
     if (value.is_string()) {
-      fmt::print("{}\n", indented(value.get<std::string>()));
+      text += indented(value.get<std::string>()) + "\n";
     } else {
-      for (Json const& line : value) fmt::print("  {}\n", line.get<std::string>());
+      for (Json const& line : value) text += fmt::format("  {}\n", line.get<std::string>());
     }
   }
+  write_document("-", text);
 }
 
 }  // namespace

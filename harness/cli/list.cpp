@@ -29,15 +29,17 @@ void list(ListOptions const& options) {
     write_document("-", document_text(document));
     return;
   }
+  std::string text;
   for (std::string const& kind : catalogue_kinds()) {
     if (!options.kind.empty() && options.kind != kind) continue;
-    if (options.kind.empty()) fmt::print("{}\n", kind);
+    if (options.kind.empty()) text += kind + "\n";
     for (CatalogueEntry const& entry : catalogue()) {
       if (entry.kind != kind) continue;
       std::string const source = entry.source.empty() ? "" : fmt::format(" ({})", entry.source);
-      fmt::print("{}{:<27} {}{}\n", options.kind.empty() ? "  " : "", entry.id, entry.title, source);
+      text += fmt::format("{}{:<27} {}{}\n", options.kind.empty() ? "  " : "", entry.id, entry.title, source);
     }
   }
+  write_document("-", text);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -14,6 +15,18 @@ namespace {
 int complain(int status, std::string const& message) {
   fmt::print(stderr, "sphverify: {}\n", message);
   return status;
+}
+
+/// The library's own message does not name the word.
+void require_known_command(CLI::App const& app, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (CLI::App const* command : app.get_subcommands([](CLI::App const*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  std::string const found = argv[1];
+  if (std::find(names.begin(), names.end(), found) != names.end()) return;
+  throw sphverify::UserError("command", "", "'" + found + "'", sphverify::one_of(found, names));
 }
 
 }  // namespace
@@ -44,6 +57,7 @@ int main(int argc, char** argv) {
   add_exact(app);
 
   try {
+    require_known_command(app, argc, argv);
     app.parse(argc, argv);
     return exit_done;
   } catch (CLI::ParseError const& error) {

@@ -16,9 +16,10 @@ struct DestroyCvode {
 };
 
 int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
-  return CallbackData::guarded(user, [&](OdeSystem const& system) {
+  int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
     system.rate(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
   });
+  return CallbackData::require_finite(status, N_VGetArrayPointer(dydt), N_VGetLength(dydt));
 }
 
 int quadrature(realtype t, N_Vector y, N_Vector dqdt, void* user) {
@@ -73,12 +74,18 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
     require_sundials(CVodeQuadInit(cvode, quadrature, integrals.get()), "CVodeQuadInit");
 
   while (result.time < final_time) {
+    double const before = result.time;
     int const flag = CVode(cvode, final_time, state.get(), &result.time, CV_ONE_STEP);
     data.rethrow();
     if (flag < 0) {
       std::unique_ptr<char, decltype(&std::free)> const name(CVodeGetReturnFlagName(flag), &std::free);
       result.outcome = OdeOutcome::failed;
       result.reason = std::string("the implicit integrator gave up (") + name.get() + ")";
+      break;
+    }
+    if (result.time == before) {
+      result.outcome = OdeOutcome::failed;
+      result.reason = "the implicit integrator's step shrank to nothing";
       break;
     }
     ++result.steps;

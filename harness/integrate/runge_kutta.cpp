@@ -13,12 +13,13 @@ struct DestroyErk {
 
 /// Quadratures follow the unknowns in one vector; nothing depends on them.
 int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
-  return CallbackData::guarded(user, [&](OdeSystem const& system) {
+  int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
     double const* const values = N_VGetArrayPointer(y);
     double* const out = N_VGetArrayPointer(dydt);
     system.rate(t, values, out);
     if (system.quadratures > 0) system.quadrature(t, values, out + system.size);
   });
+  return CallbackData::require_finite(status, N_VGetArrayPointer(dydt), N_VGetLength(dydt));
 }
 
 }  // namespace
@@ -43,12 +44,18 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
                    "ERKStepSetErrHandlerFn");
 
   while (result.time < final_time) {
+    double const before = result.time;
     int const flag = ERKStepEvolve(erk, final_time, state.get(), &result.time, ARK_ONE_STEP);
     data.rethrow();
     if (flag < 0) {
       std::unique_ptr<char, decltype(&std::free)> const name(ERKStepGetReturnFlagName(flag), &std::free);
       result.outcome = OdeOutcome::failed;
       result.reason = std::string("the explicit integrator gave up (") + name.get() + ")";
+      break;
+    }
+    if (result.time == before) {
+      result.outcome = OdeOutcome::failed;
+      result.reason = "the explicit integrator's step shrank to nothing";
       break;
     }
     ++result.steps;

@@ -5,6 +5,8 @@
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <new>
@@ -53,6 +55,8 @@ inline VectorHandle wrap(std::size_t size, double* data, SUNContext context) {
 
 /// What a SUNDIALS callback gets as user data. Exceptions must not cross the library's C frames: they are
 /// kept here, the callback fails, and `rethrow` lets them go on.
+/// A rate that is not finite is a recoverable failure: the integrator tries a shorter step, and gives up in
+/// the end.
 struct CallbackData {
   OdeSystem const& system;
   std::exception_ptr error = nullptr;
@@ -67,6 +71,10 @@ struct CallbackData {
       data.error = std::current_exception();
       return -1;
     }
+  }
+  static int require_finite(int status, double const* values, std::size_t count) {
+    if (status != 0) return status;
+    return std::all_of(values, values + count, [](double value) { return std::isfinite(value); }) ? 0 : 1;
   }
   void rethrow() const {
     if (error) std::rethrow_exception(error);

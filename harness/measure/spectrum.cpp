@@ -34,7 +34,9 @@ Stability stability_of(std::vector<std::complex<double>> const& eigenvalues) {
   double step = std::numeric_limits<double>::infinity();
   for (auto const& lambda : eigenvalues) {
     if (lambda.real() > growth) ++growing;
-    if (lambda.real() < -growth) step = std::min(step, -2.0 * lambda.real() / std::norm(lambda));
+    // A mode that only oscillates has no stable step, one that stands still (lambda = 0) any.
+    if (std::abs(lambda) > growth)
+      step = std::min(step, std::max(0.0, -2.0 * lambda.real() / std::norm(lambda)));
   }
   Stability stability;
   stability.spectral_abscissa = abscissa;
@@ -42,6 +44,8 @@ Stability stability_of(std::vector<std::complex<double>> const& eigenvalues) {
   stability.growing_modes = growing;
   if (growing > 0) {
     stability.remark = "no step is stable: a mode grows";
+  } else if (step * radius < 1e-9) {
+    stability.remark = "no step is stable: a mode oscillates undamped";
   } else if (std::isfinite(step)) {
     stability.largest_stable_step = step;
   } else {

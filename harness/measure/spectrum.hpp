@@ -16,7 +16,8 @@ std::vector<std::complex<double>> spectrum(DependencyPattern const& pattern,
                                            std::vector<double> const& values);
 
 /// What the eigenvalues say: abscissa, radius, growing modes, and the largest stable step of explicit Euler,
-/// min over modes of -2 Re(lambda)/|lambda|^2. A mode grows if its real part exceeds 1e-10 of the radius.
+/// min over moving modes of -2 Re(lambda)/|lambda|^2. A mode grows if its real part exceeds 1e-10 of the
+/// radius.
 Stability stability_of(std::vector<std::complex<double>> const& eigenvalues);
 
 }  // namespace sphverify

@@ -1,5 +1,7 @@
 #include "harness/run/rates_run.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <limits>
 
@@ -36,6 +38,18 @@ double rate_round_off(Rate rate, Particles<Dim> const& particles, double spacing
   return 64.0 * std::numeric_limits<double>::epsilon() * term;
 }
 
+/// Index of the first particle whose rate is not finite; their number if there is none.
+template <int Dim>
+std::size_t first_not_finite(Particles<Dim> const& particles, Field field) {
+  std::size_t i = 0;
+  for (; i < particles.size(); ++i) {
+    bool const finite = info(field).is_vector ? particles.vector(field)[i].allFinite()
+                                              : std::isfinite(particles.scalar(field)[i]);
+    if (!finite) break;
+  }
+  return i;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -47,6 +61,12 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
   Particles<Dim> const& particles = scene.particles();
   Rate const rate = scene.scheme().rate;
   scene.evaluate(0.0);
+  record.scene = scene.record();
+  if (std::size_t const i = first_not_finite(particles, output_field(rate)); i < particles.size()) {
+    record.status = "non-finite";
+    record.reason = fmt::format("{} of particle {} is not finite", info(output_field(rate)).name, i);
+    return;
+  }
 
   if (options.measure.contains(Measure::error)) {
     auto const volumes = exact_volumes(problem, particles, 0.0);
@@ -67,7 +87,6 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
           field_errors(components(particles.vector(Field::flux)), components(exact), volumes, places, 0.0);
     }
   }
-  record.scene = scene.record();
   if (!options.measure.contains(Measure::cost)) return;
 
   Cost best;

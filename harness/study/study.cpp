@@ -165,7 +165,15 @@ Study read_study(Node const& document) {
                          "time_budget"});
   Study study;
   study.name = document.at("name").string();
-  for (Node const& node : document.at("cases").one_or_many()) study.cases.push_back(read_case(node));
+  for (Node const& node : document.at("cases").one_or_many()) {
+    StudyCase const one = read_case(node);
+    for (StudyCase const& known : study.cases) {
+      if (known.scene_case == one.scene_case && known.parameters == one.parameters) {
+        node.complain("every case with its parameters only once");
+      }
+    }
+    study.cases.push_back(one);
+  }
   for (Node const& node : document.at("formulations").one_or_many()) {
     FormulationChoice const f = read_formulation(node);
     if (std::find(study.formulations.begin(), study.formulations.end(), f) != study.formulations.end()) {
@@ -192,7 +200,13 @@ Study read_study(Node const& document) {
                                         [](Node const& node) { return node.positive_number(); });
   if (auto const layouts = find_choice(document, "layout")) {
     for (Node const& node : layouts->one_or_many()) {
-      for (LayoutChoice const& layout : read_layout(node)) study.layouts.push_back(layout);
+      for (LayoutChoice const& layout : read_layout(node)) {
+        // Twice the same particles would be taken for replicates.
+        if (std::find(study.layouts.begin(), study.layouts.end(), layout) != study.layouts.end()) {
+          node.complain("every layout and seed only once");
+        }
+        study.layouts.push_back(layout);
+      }
     }
   } else {
     study.layouts = {{"lattice"}};

@@ -4,11 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <set>
 
 namespace sphverify {
+
+namespace {
+
+constexpr int deepest_nesting = 64;
+
+std::size_t line_of(std::string const& text, std::size_t byte) {
+  auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
+}
+
+/// Refuses what the parser would accept in silence: a key given twice, and nesting so deep that it exhausts
+/// the stack.
+class DocumentGuard {
+ public:
+  explicit DocumentGuard(std::string const& path) : path_(path) {}
+
+  bool operator()(int depth, Json::parse_event_t event, Json const& value) {
+    if (depth > deepest_nesting) {
+      throw UserError(path_, "", "lists or objects nested too deeply",
+                      fmt::format("at most {} levels", deepest_nesting));
+    }
+    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
+    if (event == Json::parse_event_t::object_end) keys_.pop_back();
+    if (event == Json::parse_event_t::key && !keys_.back().insert(value.get<std::string>()).second) {
+      throw UserError(path_, value.get<std::string>(), "the same key twice", "every key of an object once");
+    }
+    return true;
+  }
+
+ private:
+  std::string const& path_;
+  std::vector<std::set<std::string>> keys_;
+};
+
+}  // namespace
 
 Json read_json_file(std::string const& path) {
   std::string text;
@@ -16,7 +53,8 @@ Json read_json_file(std::string const& path) {
     text.assign(std::istreambuf_iterator<char>(std::cin), {});
   } else {
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw UserError(path, "", "no readable file", "a JSON document");
+    if (!file || std::filesystem::is_directory(path))
+      throw UserError(path, "", "no readable file", "a JSON document");
     text.assign(std::istreambuf_iterator<char>(file), {});
     if (file.bad()) throw UserError(path, "", "a file that cannot be read", "a JSON document");
   }
@@ -24,20 +62,25 @@ Json read_json_file(std::string const& path) {
     throw UserError(path, "", "an empty file", "a JSON document");
   }
   try {
-    return Json::parse(text);
+    DocumentGuard guard(path);
+    return Json::parse(text, [&guard](int depth, Json::parse_event_t event, Json const& value) {
+      return guard(depth, event, value);
+    });
   } catch (Json::parse_error const& error) {
-    std::size_t const line =
-        1 + static_cast<std::size_t>(std::count(
-                text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size())),
-                '\n'));
+    std::size_t const line = line_of(text, error.byte);
     bool const cut = error.byte >= text.size();
     throw UserError(path, fmt::format("line {}", line),
                     cut ? "the end of the file inside the document"
                         : fmt::format("a syntax error at byte {}", error.byte),
                     "a complete JSON document");
-  } catch (Json::exception const&) {
-    // What the parser accepts but a document cannot hold, such as numbers beyond the range of double.
-    throw UserError(path, "", "a value that cannot be represented", "a JSON document");
+  } catch (Json::out_of_range const& error) {
+    // The message ends with the offending number in quotes.
+    std::string const what = error.what();
+    std::size_t const first = what.find('\'');
+    std::string const token =
+        first == std::string::npos ? "" : what.substr(first + 1, what.rfind('\'') - first - 1);
+    throw UserError(path, fmt::format("line {}", line_of(text, text.find(token))), token,
+                    "a number within the range of double");
   }
 }
 

@@ -8,6 +8,11 @@ namespace {
 
 constexpr std::int64_t any_count = std::numeric_limits<std::int64_t>::max();
 
+/// A number that was not finite was written as null.
+double measured(Node const& node) {
+  return node.is_null() ? std::numeric_limits<double>::quiet_NaN() : node.number();
+}
+
 Number optional_number(Node const& node) { return node.is_null() ? Number() : Number(node.number()); }
 
 std::string optional_string(Node const& node) { return node.is_null() ? "" : node.string(); }
@@ -61,14 +66,14 @@ Discretisation read_discretisation(Node const& node) {
 }
 
 NormSet read_norms(Node const& node) {
-  return {node.at("l1").number(), node.at("l2").number(), node.at("linf").number()};
+  return {measured(node.at("l1")), measured(node.at("l2")), measured(node.at("linf"))};
 }
 
 Cost read_cost(Node const& node) {
   Cost c;
-  c.seconds = node.at("seconds").number();
+  c.seconds = measured(node.at("seconds"));
   c.cpu_seconds = optional_number(node.at("cpu_seconds"));
-  c.setup_seconds = node.at("setup_seconds").number();
+  c.setup_seconds = measured(node.at("setup_seconds"));
   c.repeats = static_cast<int>(count(node.at("repeats")));
   c.steps = count(node.at("steps"));
   c.rate_evaluations = count(node.at("rate_evaluations"));
@@ -88,8 +93,8 @@ Stability read_stability(Node const& node) {
 }
 
 Integration read_integration(Node const& node) {
-  return {node.at("method").string(), node.at("relative_tolerance").number(),
-          node.at("absolute_tolerance").number(), optional_number(node.at("time_error")),
+  return {node.at("method").string(), measured(node.at("relative_tolerance")),
+          measured(node.at("absolute_tolerance")), optional_number(node.at("time_error")),
           optional_number(node.at("time_error_share"))};
 }
 
@@ -106,8 +111,9 @@ ObservedOrder read_order(Node const& node) {
   o.order = optional_number(node.at("order"));
   if (Node const interval = node.at("interval"); !interval.is_null()) {
     auto const ends = interval.numbers();
-    o.lower = ends.at(0);
-    o.upper = ends.at(1);
+    if (ends.size() != 2) interval.complain("[lower, upper] or null");
+    o.lower = ends[0];
+    o.upper = ends[1];
   }
   for (Node const& p : node.at("pairwise").elements()) o.pairwise.push_back(optional_number(p));
   o.verdict = node.at("verdict").string();
@@ -131,7 +137,7 @@ Series read_series(Node const& node) {
                  read_order(entry),
                  {}};
     for (Node const& level : entry.at("levels").elements()) {
-      e.levels.push_back({static_cast<int>(count(level.at("resolution"))), level.at("spacing").number(),
+      e.levels.push_back({static_cast<int>(count(level.at("resolution"))), measured(level.at("spacing")),
                           static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),
                           optional_number(level.at("spread")), optional_number(level.at("seconds"))});
     }
@@ -139,7 +145,7 @@ Series read_series(Node const& node) {
   }
   for (Node const& t : node.at("time_to_error").elements()) {
     s.time_to_error.push_back({t.at("field").string(), t.at("region").string(), t.at("norm").string(),
-                               t.at("relative").number(), t.at("error").number(),
+                               measured(t.at("relative")), measured(t.at("error")),
                                optional_number(t.at("seconds"))});
   }
   return s;
@@ -157,8 +163,8 @@ RunRecord read_run(Node const& node) {
   r.smoothing_exponent = node.at("smoothing_exponent").number();
   r.resolution = static_cast<int>(count(node.at("resolution")));
   r.particles = count(node.at("particles"));
-  r.spacing = node.at("spacing").number();
-  r.smoothing_length = node.at("smoothing_length").number();
+  r.spacing = measured(node.at("spacing"));
+  r.smoothing_length = measured(node.at("smoothing_length"));
   r.status = node.at("status").string();
   r.reason = optional_string(node.at("reason"));
   for (Node const& field : node.at("scene").at("fields").elements()) r.scene.fields.push_back(field.string());
@@ -169,16 +175,18 @@ RunRecord read_run(Node const& node) {
   }
   for (auto const& [field, regions] : node.at("errors").members()) {
     for (auto const& [region, e] : regions.members()) {
-      r.errors[field][region] = {read_norms(e), read_norms(e.at("scale")), e.at("round_off").number()};
+      r.errors[field][region] = {read_norms(e), read_norms(e.at("scale")), measured(e.at("round_off"))};
     }
   }
   for (auto const& [quantity, b] : node.at("conservation").members()) {
     if (b.is_null()) continue;
-    r.conservation[quantity] = {b.at("initial").number(), b.at("final").number(), b.at("exchanged").number(),
-                                b.at("drift").number(), optional_number(b.at("wall_budget_defect"))};
+    r.conservation[quantity] = {measured(b.at("initial")), measured(b.at("final")),
+                                measured(b.at("exchanged")), measured(b.at("drift")),
+                                optional_number(b.at("wall_budget_defect"))};
   }
   for (Node const& w : node.at("wall_flux").elements()) {
-    r.wall_flux.push_back({w.at("measured").number(), w.at("exact").number(), w.at("error").number(), w.at("scale").number()});
+    r.wall_flux.push_back({measured(w.at("measured")), measured(w.at("exact")), measured(w.at("error")),
+                           measured(w.at("scale"))});
   }
   if (Node const cost = node.at("cost"); !cost.is_null()) r.cost = read_cost(cost);
   if (Node const stability = node.at("stability"); !stability.is_null())

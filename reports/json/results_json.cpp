@@ -198,8 +198,10 @@ Json to_json(RunRecord const& r) {
   json["conservation"] = conservation_json(r.conservation);
   json["wall_flux"] = Json::array();
   for (WallFlux const& w : r.wall_flux) {
-    json["wall_flux"].push_back(
-        {{"measured", number(w.measured)}, {"exact", number(w.exact)}, {"error", number(w.error)}, {"scale", number(w.scale)}});
+    json["wall_flux"].push_back({{"measured", number(w.measured)},
+                                 {"exact", number(w.exact)},
+                                 {"error", number(w.error)},
+                                 {"scale", number(w.scale)}});
   }
   json["cost"] = r.cost ? to_json(*r.cost) : Json(nullptr);
   json["stability"] = r.stability ? to_json(*r.stability) : Json(nullptr);

@@ -71,6 +71,8 @@ std::string document_text(Json const& document) {
 
 void require_writable(std::string const& path) {
   if (path == "-") return;
+  if (path.empty())
+    throw UserError("output", "", "an empty name", "a writable file, or - for standard output");
   if (is_special(path)) {
     struct stat status {};
     if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {

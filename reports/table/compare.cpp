@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "reports/json/results_json.hpp"
 #include "reports/table/series_row.hpp"
@@ -114,7 +115,7 @@ Cell error_cell(SeriesRow const& row) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
   if (!row.error) return {"-", std::nullopt};
   std::string const error = scientific(row.relative_error ? row.relative_error : row.error);
-  Number const value = row.error;
+  Number const value = row.relative_error ? row.relative_error : row.error;
   if (row.verdict == "asymptotic" && row.half_width) {
     return {fmt::format("{} {:.1f}±{:.1f}", error, *row.order, *row.half_width), value};
   }
@@ -182,9 +183,8 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
 /// Over everything that was run: how often each formulation converged, and how near it came.
 TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   TextTable table;
-  table.title = fmt::format(
-      "Summary over all cases and discretisations ({}, region {}): which formulation to trust at a wall",
-      options.norm, options.region);
+  table.title =
+      fmt::format("Summary over all cases and discretisations ({}, region {})", options.norm, options.region);
   table.header = {"formulation", "ladders",      "converge", "floored",  "diverge",
                   "fail",        "median error", "worst",    "wall flux"};
   std::vector<std::string> labels;
@@ -227,23 +227,27 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
 
 std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   std::string text;
-  std::vector<std::pair<std::string, std::string>> cases;
+  // Errors of different fields do not compare.
+  auto const table_of = [](SeriesRow const& row) {
+    return std::tuple(row.case_id, row.parameters, row.field);
+  };
+  std::vector<std::tuple<std::string, std::string, std::string>> tables;
   for (SeriesRow const& row : rows) {
-    std::pair const key{row.case_id, row.parameters};
-    if (std::find(cases.begin(), cases.end(), key) == cases.end()) cases.push_back(key);
+    if (std::find(tables.begin(), tables.end(), table_of(row)) == tables.end())
+      tables.push_back(table_of(row));
   }
-  for (auto const& [case_id, parameters] : cases) {
+  for (auto const& table : tables) {
+    auto const& [case_id, parameters, field] = table;
     std::vector<SeriesRow> chosen;
     for (SeriesRow const& row : rows) {
-      if (row.case_id == case_id && row.parameters == parameters) chosen.push_back(row);
+      if (table_of(row) == table) chosen.push_back(row);
     }
     std::string const heading = fmt::format("{}\n  {}", case_id, parameters);
-    text +=
-        render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
-                                 options.norm, chosen.front().field, options.region, chosen.front().finest),
-                     chosen, error_cell),
-               options.format, options.colour) +
-        "\n";
+    text += render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
+                                     options.norm, field, options.region, chosen.front().finest),
+                         chosen, error_cell),
+                   options.format, options.colour) +
+            "\n";
     auto const has = [&](auto member) {
       return std::any_of(chosen.begin(), chosen.end(),
                          [&](SeriesRow const& r) { return (r.*member).has_value(); });
@@ -268,11 +272,9 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
   text += render(summary(rows, options), options.format, options.colour);
   return text +
          "\n* best of its column   (off): without wall terms   q: h/dx grows as N^q, else it is fixed\n"
-         "1.2±0.1: order with its 95% interval   ~1.2: order still changing   floored, diverges: no "
-         "convergence\n"
-         "Errors are relative to the same norm of the exact field (absolute where that is zero), wall "
-         "fluxes\n"
-         "to the largest flux. What the verdicts mean: sphverify describe order\n";
+         "1.2±0.1: order with 95% interval   ~1.2: order still changing   floored, diverges: no convergence\n"
+         "Errors are relative to the exact field's norm (absolute where that is zero), wall fluxes to the\n"
+         "largest flux. What the verdicts mean: sphverify describe order\n";
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {
@@ -308,8 +310,8 @@ std::vector<std::pair<std::string, std::string>> words_of(SeriesRow const& row) 
 
 std::string csv(std::vector<SeriesRow> const& rows) {
   TextTable table;
-  for (auto const& [name, value] : words_of(rows.front())) table.header.push_back(name);
-  for (auto const& [name, value] : numbers_of(rows.front())) table.header.push_back(name);
+  for (auto const& [name, value] : words_of(SeriesRow{})) table.header.push_back(name);
+  for (auto const& [name, value] : numbers_of(SeriesRow{})) table.header.push_back(name);
   for (SeriesRow const& row : rows) {
     std::vector<std::string> cells;
     for (auto const& [name, value] : words_of(row)) cells.push_back(value);
@@ -337,9 +339,9 @@ std::string json(std::vector<SeriesRow> const& rows, CompareOptions const& optio
 
 std::string compare(std::vector<NamedResults> const& documents, CompareOptions const& options) {
   auto const rows = series_rows(documents, options.region, options.norm);
-  if (rows.empty()) return "No series: the study ran nothing.\n";
   if (options.format == TableFormat::csv) return csv(rows);
   if (options.format == TableFormat::json) return json(rows, options);
+  if (rows.empty()) return "No series: the study ran nothing.\n";
   return readable(rows, options);
 }
 

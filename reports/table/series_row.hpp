@@ -20,9 +20,10 @@ struct SeriesRow {
   Number relative_error;  ///< to the same norm of the exact field
   Number order, half_width;
   std::string verdict;
-  std::string failures;    ///< "unstable 3/5" at the finest level, empty if none
-  Number wall_flux_error;  ///< largest over the walls at the finest level, relative to the largest flux in the domain
-  Number energy_drift;     ///< largest at the finest level, relative to the energy
+  std::string failures;       ///< "unstable 3/5" at the finest level, empty if none
+  Number wall_flux_error;     ///< largest over the walls at the finest level, relative to the largest flux in
+                              ///< the domain
+  Number energy_drift;        ///< largest at the finest level, relative to the energy
   Number wall_budget_defect;  ///< the same
   Number seconds;             ///< mean at the finest level
   Number seconds_to_percent;  ///< to 1% of the exact field's norm

@@ -50,17 +50,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_declared_read_matter, D, Dimension
       bool const always = field.field == Field::position || field.field == Field::mass;
       if (!always && !scheme->reads.contains(field.field)) continue;
       Scene<Dim> changed = scene;
-      for (std::size_t i = 0; i < count; i += 3) {
-        if (field.is_vector) {
-          changed.particles.vector(field.field).set(i, 0.99 * scene.particles.vector(field.field)[i]);
-        } else {
-          changed.particles.scalar(field.field)[i] *= 0.99;
-        }
-      }
-      // Positions move by 1% towards the origin, which no wall of the scene forbids to a tenth of the gap.
       if (field.field == Field::position) {
-        changed.particles.positions() = scene.particles.positions();
-        changed.particles.positions().add(5, Vector<Dim>::Constant(1e-3));
+        changed.particles.positions().add(5, Vector<Dim>::Constant(1e-3));  // less than the gap to the walls
+      } else if (field.is_vector) {
+        for (int k = 0; k < Dim; ++k) changed.particles.vector(field.field).component(k)[5] *= 0.99;
+      } else {
+        changed.particles.scalar(field.field)[5] *= 0.99;
       }
       BOOST_TEST(relative_difference(evaluate(changed, scheme->id).numbers(), before) > 1e-6,
                  scheme->id << " does not read " << field.name);

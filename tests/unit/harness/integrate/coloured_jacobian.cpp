@@ -96,9 +96,8 @@ BOOST_AUTO_TEST_CASE(a_band_needs_as_many_colours_as_it_is_wide_however_many_row
 BOOST_AUTO_TEST_CASE(irregular_and_unsymmetric_patterns_are_differenced_right) {
   for (std::uint64_t seed = 0; seed < 10; ++seed) {
     Random random(seed);
-    DependencyPattern const pattern = pattern_where(25, [&random](std::int64_t i, std::int64_t j) {
-      return i == j || random.uniform(0.0, 1.0) < 0.12;
-    });
+    DependencyPattern const pattern = pattern_where(
+        25, [&random](std::int64_t i, std::int64_t j) { return i == j || random.uniform(0.0, 1.0) < 0.12; });
     Affine affine{random_matrix(pattern, 100 + seed)};
     ColouredJacobian jacobian(pattern, affine.rate(), true, 1.0);
     std::vector<double> const y(25, 0.3);

@@ -1,0 +1,182 @@
+"""`sphverify compare` in all its formats."""
+
+import sys
+
+sys.dont_write_bytecode = True
+
+import csv
+import io
+import re
+import unittest
+
+from program import ProgramTest, small_study, strict_json
+
+SCHEMES = ["conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux"]
+STANDARD_STUDY = small_study(  # of the kind that the contract shows, with fewer particles
+    cases=["conduction/slab-dirichlet", "conduction/slab-insulated", "conduction/manufactured"],
+    formulations=SCHEMES + [{"id": scheme, "walls": "off"} for scheme in SCHEMES],
+    discretisation={
+        "density": ["given", "summation"],
+        "layout": ["lattice", {"id": "jittered", "amplitude": 0.1, "seeds": [1, 2]}],
+    },
+    resolution=[10, 15, 20, 30],
+    smoothing_exponent=[0, 0.5],
+)
+SERIES = 3 * 6 * 2 * 2 * 2
+WIDEST = 100
+
+
+class Compare(ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        helper = cls()
+        helper.setUp()
+        try:
+            helper.study(STANDARD_STUDY)
+            cls.document = (helper.folder / "results.json").read_text()
+        finally:
+            helper.doCleanups()
+
+    def runTest(self):
+        """Lets `setUpClass` make an instance."""
+
+    def setUp(self):
+        super().setUp()
+        self.results = getattr(self, "document", None) and self.write("results.json", self.document)
+
+    def compare(self, *arguments):
+        return self.succeed("compare", self.results, *arguments)
+
+    def test_the_table_stays_within_100_columns(self):
+        for options in ((), ("--region", "wall"), ("--norm", "linf"), ("--region", "interior")):
+            with self.subTest(options=options):
+                lines = self.compare(*options).splitlines()
+                widest = max(lines, key=len)
+                self.assertLessEqual(len(widest), WIDEST, widest)
+
+    def test_the_table_is_the_default_and_names_every_scheme_case_and_choice(self):
+        text = self.compare()
+        self.assertEqual(text, self.compare("--format", "table"))
+        for word in ("brookshaw", "lucy-flux", "campbell-flux", "slab-dirichlet", "slab-insulated", "manufactured",
+                     "given", "summation", "lattice", "jitter", "off", "Summary"):  # fmt: skip
+            self.assertIn(word, text)
+
+    def test_every_format_is_free_of_escape_codes_off_a_terminal(self):
+        for name in ("table", "markdown", "csv", "json"):
+            text = self.compare("--format", name)
+            self.assertIsNone(re.search(r"[\x00-\x09\x0b-\x1f\x7f]", text), name)
+
+    def test_markdown_holds_tables_whose_rows_have_equal_numbers_of_cells(self):
+        lines = self.compare("--format", "markdown").splitlines()
+        tables, table = [], []
+        for line in [*lines, ""]:
+            if line.startswith("|"):
+                self.assertTrue(line.endswith("|"), line)
+                table.append(line.count("|"))
+            elif table:
+                tables.append(table)
+                table = []
+        self.assertGreaterEqual(len(tables), 4, "three cases and a summary")
+        for counts in tables:
+            self.assertGreater(len(counts), 2)
+            self.assertEqual(len(set(counts)), 1, counts)
+        self.assertTrue(any(re.fullmatch(r"\|(:?-+:?\|)+", line) for line in lines))
+        self.assertTrue(any(line.startswith("#") for line in lines))
+
+    def test_csv_has_a_header_and_one_row_per_series(self):
+        rows = list(csv.reader(io.StringIO(self.compare("--format", "csv")), strict=True))
+        self.assertEqual(len(rows), 1 + SERIES)
+        self.assertEqual({len(row) for row in rows}, {len(rows[0])})
+        self.assertEqual(len(set(rows[0])), len(rows[0]), "every column has a name of its own")
+        for row in csv.DictReader(io.StringIO(self.compare("--format", "csv"))):
+            self.assertIn(row["case"], STANDARD_STUDY["cases"])
+            self.assertTrue(float(row["error"]) > 0 if not row["failures"] else row["error"] == "", row)
+
+    def test_json_holds_the_numbers_of_the_results_document(self):
+        document = strict_json(self.document)
+        table = strict_json(self.compare("--format", "json"))
+        self.assertEqual(len(table["series"]), SERIES)
+        for row, series in zip(table["series"], document["series"]):
+            self.assertEqual((row["case"], row["formulation"]), (series["case"], series["label"]))
+            order = next(o for o in series["orders"]
+                         if (o["field"], o["region"], o["norm"]) == ("temperature", "all", "l2"))  # fmt: skip
+            self.assertEqual(row["verdict"], order["verdict"])
+            self.assertEqual(row["order"], order["order"])
+            self.assertEqual(row["error"], order["levels"][-1]["error"])
+
+    def test_csv_and_json_hold_the_same_rows(self):
+        table = strict_json(self.compare("--format", "json"))["series"]
+        rows = list(csv.DictReader(io.StringIO(self.compare("--format", "csv"))))
+        for entry, row in zip(table, rows, strict=True):
+            self.assertEqual(list(entry), list(row))
+            for key, value in entry.items():
+                if isinstance(value, str):
+                    self.assertEqual(row[key], value)
+                elif value is None:
+                    self.assertEqual(row[key], "")
+                else:
+                    self.assertEqual(float(row[key]), value)
+
+    def test_region_and_norm_choose_other_numbers(self):
+        document = strict_json(self.document)
+        table = strict_json(self.compare("--format", "json", "--region", "wall", "--norm", "linf"))
+        self.assertEqual((table["region"], table["norm"]), ("wall", "linf"))
+        order = next(o for o in document["series"][0]["orders"] if (o["region"], o["norm"]) == ("wall", "linf"))
+        self.assertEqual(table["series"][0]["error"], order["levels"][-1]["error"])
+
+    def test_the_best_of_a_column_is_marked_and_has_the_smallest_error(self):
+        table = self.compare().split("\n\n")[0].splitlines()
+        rule = next(k for k, line in enumerate(table) if set(line.strip()) <= {"-", " "} and "-" in line)
+        body = table[rule + 1 :]
+        starts = [match.start() for match in re.finditer("-+", table[rule])]
+        columns = len(starts) - 2  # formulation and density are labels
+        self.assertEqual(columns, 4)
+        for column in range(2, 2 + columns):
+            end = starts[column + 1] if column + 1 < len(starts) else None
+            cells = [line[starts[column] : end].strip() for line in body]
+            best = [cell for cell in cells if cell.endswith("*")]
+            self.assertTrue(best)
+            errors = [float(cell.split()[0]) for cell in cells if cell[0].isdigit()]  # the others failed
+            self.assertGreater(len(errors), 6)
+            self.assertEqual(float(best[0].split()[0]), min(errors))
+
+    def test_several_documents_stand_side_by_side_under_their_names(self):
+        self.study(small_study(), "first.json")
+        self.study(small_study(discretisation={"smoothing_ratio": 1.2, "face_weight": "campbell"}), "second.json")
+        arguments = ("compare", self.folder / "first.json", self.folder / "second.json")
+        table = self.succeed(*arguments)
+        self.assertIn("first", table)
+        self.assertIn("second", table)
+        rows = strict_json(self.succeed(*arguments, "--format", "json"))["series"]
+        self.assertEqual([row["results"] for row in rows], ["first", "second"])
+
+    def test_a_study_without_runs_is_still_a_document_in_every_format(self):
+        self.study(small_study(formulations=["momentum/p-rho2"]), "nothing.json")
+        nothing = self.folder / "nothing.json"
+        table = strict_json(self.succeed("compare", nothing, "--format", "json"))
+        self.assertEqual(table["series"], [])
+        rows = list(csv.reader(io.StringIO(self.succeed("compare", nothing, "--format", "csv"))))
+        self.assertLessEqual(len(rows), 1)
+        self.assertTrue(not rows or "case" in rows[0], rows)
+        self.assertTrue(self.succeed("compare", nothing))
+
+    def test_failed_runs_are_named_and_left_out_of_the_best(self):
+        self.study(small_study(time_budget=1e-9), "late.json")
+        self.assertIn("timed-out", self.succeed("compare", self.folder / "late.json"))
+
+    def test_results_with_numbers_that_do_not_exist_can_be_compared(self):
+        overflow = {"id": "operator/sine", "parameters": {"offset": 1e308}}
+        self.study(small_study(cases=[overflow]), "overflow.json")
+        for name in ("table", "markdown", "csv", "json"):
+            self.succeed("compare", self.folder / "overflow.json", "--format", name)
+
+    def test_a_table_whose_rows_compare_different_fields_says_so(self):
+        study = small_study(cases=["operator/sine"], formulations=["conduction/brookshaw", "momentum/p-rho2"])
+        self.study(study, "operator.json")
+        text = self.succeed("compare", self.folder / "operator.json")
+        self.assertIn("heating", text)
+        self.assertIn("acceleration", text)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

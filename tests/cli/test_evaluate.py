@@ -1,0 +1,109 @@
+"""`sphverify evaluate` reproduces the prototype's rates on all reference states."""
+
+import sys
+
+sys.dont_write_bytecode = True
+
+import json
+import unittest
+
+from program import SOURCE_DIR, ProgramTest, strict_json
+
+TOLERANCE = 1e-10  # relative to the largest rate
+
+
+def flat(values):
+    return [x for value in values for x in (value if isinstance(value, list) else [value])]
+
+
+class ReferenceStates(ProgramTest):
+    def assert_same_numbers(self, found, expected, what):
+        found, expected = flat(found), flat(expected)
+        self.assertEqual(len(found), len(expected), what)
+        largest = max(map(abs, expected)) or 1.0
+        worst = max(abs(f - e) for f, e in zip(found, expected)) / largest
+        self.assertLessEqual(worst, TOLERANCE, what)
+
+    def assert_reproduced(self, rates, expected):
+        self.assert_same_numbers(rates["density"], expected["density"], "density")
+        self.assertEqual(len(rates["walls"]), len(expected["walls"]))
+        for w, wall in enumerate(expected["walls"]):
+            for key, values in wall.items():
+                self.assert_same_numbers(rates["walls"][w][key], values, f"walls[{w}].{key}")
+        for scheme, outputs in expected["rates"].items():
+            for key, values in outputs.items():
+                self.assert_same_numbers(rates["rates"][scheme][key], values, f"{scheme}: {key}")
+
+    def check_dimension(self, dimension, count):
+        path = SOURCE_DIR / "tests" / "data" / f"operators-{dimension}d.json"
+        references = strict_json(path.read_text())
+        self.assertEqual(len(references), count)
+        for number, reference in enumerate(references):
+            with self.subTest(state=number):
+                state = self.write("state.json", reference["state"])
+                rates = strict_json(self.succeed("evaluate", state))
+                self.assertEqual(rates["schema"], "sphverify-rates/1")
+                self.assert_reproduced(rates, reference["expected"])
+
+    def test_every_rate_in_1d_matches_the_prototype(self):
+        self.check_dimension(1, 4)
+
+    def test_every_rate_in_2d_matches_the_prototype(self):
+        self.check_dimension(2, 2)
+
+    def test_every_rate_in_3d_matches_the_prototype(self):
+        self.check_dimension(3, 2)
+
+
+class InputAndOutput(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        path = SOURCE_DIR / "tests" / "data" / "operators-1d.json"
+        self.state = strict_json(path.read_text())[0]["state"]
+        self.path = self.write("state.json", self.state)
+        self.expected = self.succeed("evaluate", self.path)
+
+    def test_a_state_on_standard_input_gives_the_same_rates(self):
+        self.assertEqual(self.succeed("evaluate", "-", text=json.dumps(self.state)), self.expected)
+
+    def test_output_option_writes_the_same_rates_to_a_file_and_nothing_to_standard_output(self):
+        for option in ("-o", "--output"):
+            with self.subTest(option=option):
+                target = self.folder / f"rates{option}.json"
+                self.assertEqual(self.succeed("evaluate", self.path, option, target), "")
+                self.assertEqual(target.read_text(), self.expected)
+
+    def test_output_replaces_an_older_file_and_leaves_no_other_behind(self):
+        target = self.write("rates.json", "old")
+        before = sorted(self.folder.iterdir())
+        self.succeed("evaluate", self.path, "-o", target)
+        self.assertEqual(target.read_text(), self.expected)
+        self.assertEqual(sorted(self.folder.iterdir()), before)
+
+    def test_a_scheme_without_the_fields_that_it_reads_is_left_out_with_the_reason(self):
+        del self.state["particles"]["pressure"]
+        document = strict_json(self.succeed("evaluate", "-", text=json.dumps(self.state)))
+        rates = document["rates"]
+        self.assertTrue(rates)
+        self.assertIn("pressure", document["left_out"]["momentum/p-rho2"])
+        self.assertEqual(set(rates) & set(document["left_out"]), set())
+        self.assertEqual(set(rates) | set(document["left_out"]), set(strict_json(self.expected)["rates"]))
+        self.assertTrue(all(scheme.startswith("conduction/") for scheme in rates), list(rates))
+
+    def test_every_scheme_has_its_control_without_walls(self):
+        rates = strict_json(self.expected)["rates"]
+        schemes = {scheme for scheme in rates if not scheme.endswith("-no-walls")}
+        self.assertEqual(set(rates) - schemes, {f"{scheme}-no-walls" for scheme in schemes})
+        self.assertIn("work/sqrt-p", schemes)
+
+    def test_negative_pressure_makes_sqrt_p_null_with_a_reason_and_no_other(self):
+        self.state["particles"]["pressure"][3] = -1.0
+        rates = strict_json(self.succeed("evaluate", "-", text=json.dumps(self.state)))["rates"]
+        self.assertIsNone(rates["momentum/sqrt-p"]["acceleration"])
+        self.assertIn("pressure", rates["momentum/sqrt-p"]["reason"])
+        self.assertNotIn("reason", rates["momentum/p-rho2"])
+        self.assertNotIn(None, flat(rates["momentum/p-rho2"]["acceleration"]))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,150 @@
+"""Progress of a study on a terminal (a pseudo-terminal here) and off it."""
+
+import sys
+
+sys.dont_write_bytecode = True
+
+import errno
+import os
+import pty
+import re
+import signal
+import unittest
+
+from program import DONE, PROGRAM_ERROR, ProgramTest, small_study, strict_json
+
+STUDY = small_study(
+    discretisation={
+        "density": ["given", "summation"],
+        "layout": {"id": "jittered", "amplitude": 0.1, "seeds": [1, 2, 3]},
+    },
+    resolution=[50, 100, 200],
+    measure=["error", "stability"],
+)
+RUNS = 18
+
+
+def read_all(terminal, until=None):
+    """What comes out of a terminal until it closes, or until a pattern has come."""
+    text = b""
+    while until is None or not re.search(until, text):
+        try:
+            part = os.read(terminal, 65536)
+        except OSError as error:
+            if error.errno != errno.EIO:  # how Linux says that the other side is closed
+                raise
+            break
+        if not part:
+            break
+        text += part
+    return text
+
+
+def screen(text):
+    """The lines that a terminal shows in the end."""
+    lines = []
+    for raw in text.decode().replace("\r\n", "\n").split("\n"):
+        line = ""
+        for part in re.split(r"(\r|\x1b\[K)", raw):
+            if part == "\r":
+                column = 0
+            elif part == "\x1b[K":
+                line = line[:column]
+            elif part:
+                column = column if line else 0
+                line = line[:column] + part + line[column + len(part) :]
+                column += len(part)
+        lines.append(line.rstrip())
+    return lines
+
+
+class OnATerminal(ProgramTest):
+    def start_on_terminal(self, *arguments, streams=("stderr",)):
+        ours, theirs = pty.openpty()
+        self.addCleanup(os.close, ours)
+        process = self.start(*arguments, **{stream: theirs for stream in streams})
+        os.close(theirs)
+        return process, ours
+
+    def start_study(self):
+        study = self.write("study.json", STUDY)
+        return self.start_on_terminal("study", study, "-o", self.folder / "results.json")
+
+    def test_a_bar_redraws_itself_in_one_line_and_leaves_nothing_behind(self):
+        process, terminal = self.start_study()
+        text = read_all(terminal)
+        self.assertEqual(process.wait(timeout=60), DONE, text)
+        bars = re.findall(rb"\r\[(=*) *\] (\d+)/%d  " % RUNS, text)
+        self.assertTrue(bars, text)
+        self.assertEqual(int(bars[-1][1]), RUNS)
+        done = [int(count) for _, count in bars]
+        self.assertEqual(done, sorted(done))
+        self.assertEqual(len({len(bar) for bar in re.findall(rb"\[=* *\]", text)}), 1, "the bar keeps its width")
+        after_heading = text.split(b"\n", 1)[1]
+        self.assertNotIn(b"\n", after_heading, "the bar stays in its line")
+        self.assertTrue(text.endswith(b"\r\x1b[K"), "the line is wiped in the end")
+        self.assertEqual(screen(text), [f"{RUNS} runs", ""])
+
+    def test_a_bar_fits_into_80_columns(self):
+        process, terminal = self.start_study()
+        text = read_all(terminal)
+        process.wait(timeout=60)
+        bars = re.findall(rb"\r(\[[^\r\x1b]*)", text)
+        self.assertTrue(bars)
+        for drawn in bars:
+            self.assertLessEqual(len(drawn), 80, drawn)
+
+    def test_an_interrupt_wipes_the_bar_and_ends_with_one_line(self):
+        study = self.write("study.json", STUDY | {"resolution": [50, 100, 200, 300, 400]})
+        process, terminal = self.start_on_terminal("study", study, "-o", self.folder / "results.json")
+        text = read_all(terminal, until=rb"\r\[")
+        process.send_signal(signal.SIGINT)
+        text += read_all(terminal)
+        self.assertEqual(process.wait(timeout=60), PROGRAM_ERROR, text)
+        shown = screen(text)
+        self.assertEqual(len(shown), 3, shown)
+        self.assertTrue(shown[1].startswith("sphverify: interrupted"), shown)
+        self.assertEqual(shown[2], "")
+
+    def test_results_on_standard_output_are_not_mixed_with_the_bar(self):
+        study = self.write("study.json", small_study())
+        process, terminal = self.start_on_terminal("study", study)
+        output = process.stdout.read()
+        read_all(terminal)
+        self.assertEqual(process.wait(timeout=60), DONE)
+        self.assertEqual(strict_json(output.decode())["schema"], "sphverify-results/1")
+
+    def test_a_table_on_a_terminal_sets_off_the_best_by_colour_and_star(self):
+        study = small_study(formulations=["conduction/brookshaw", "conduction/lucy-flux"])
+        self.study(study)
+        process, terminal = self.start_on_terminal("compare", "results.json", streams=("stdout",))
+        text = read_all(terminal).decode().replace("\r\n", "\n")
+        self.assertEqual(process.wait(timeout=60), DONE)
+        self.assertRegex(text, r"\x1b\[[0-9;]+m[^\x1b]*\*[^\x1b]*\x1b\[0m")
+        plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
+        self.assertEqual([line.rstrip() for line in plain.splitlines()],
+                         [line.rstrip() for line in self.succeed("compare", "results.json").splitlines()])  # fmt: skip
+
+
+class OffATerminal(ProgramTest):
+    def test_progress_is_plain_lines(self):
+        study = self.write("study.json", STUDY)
+        result = self.run_program("study", study, "-o", self.folder / "results.json")
+        self.assertEqual(result.returncode, DONE)
+        self.assertEqual(result.stdout, "")
+        self.assertNotRegex(result.stderr, r"[\r\x1b]")
+        lines = result.stderr.splitlines()
+        self.assertEqual(lines[0], f"{RUNS} runs")
+        self.assertTrue(lines[-1].startswith(f"{RUNS}/{RUNS} runs"), lines)
+        self.assertLess(len(lines), 10, "a line every few seconds, not one per run")
+
+    def test_results_go_to_standard_output_when_no_file_is_named(self):
+        study = self.write("study.json", small_study())
+        before = sorted(self.folder.iterdir())
+        results = strict_json(self.succeed("study", study))
+        self.assertEqual(len(results["runs"]), 3)
+        self.assertEqual(sorted(self.folder.iterdir()), before, "no journal without a file")
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,101 @@
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "cases/support/case.hpp"
+
+BOOST_AUTO_TEST_SUITE(case_descriptions)
+
+using namespace sphverify;
+
+BOOST_AUTO_TEST_CASE(the_cases_of_the_contract_are_there) {
+  for (char const* id : {"operator/polynomial", "operator/sine", "conduction/slab-dirichlet",
+                         "conduction/slab-insulated", "conduction/slab-flux", "conduction/half-space-step",
+                         "conduction/manufactured", "conduction/barenblatt", "conduction/marshak"}) {
+    BOOST_TEST(find_case(id) != nullptr, id);
+  }
+  BOOST_TEST(find_case("conduction/none") == nullptr);
+  BOOST_TEST(find_case("") == nullptr);
+}
+
+BOOST_AUTO_TEST_CASE(every_case_says_everything_of_itself) {
+  std::set<std::string> ids;
+  for (Case const& one : all_cases()) {
+    CaseInfo const& info = one.info;
+    BOOST_TEST_CONTEXT(info.id) {
+      BOOST_TEST(ids.insert(info.id).second);
+      BOOST_TEST(find_case(info.id) == &one);
+      for (std::string const* text :
+           {&info.id, &info.title, &info.source, &info.equation, &info.domain, &info.walls, &info.initial}) {
+        BOOST_TEST(!text->empty());
+        BOOST_TEST(text->find('\n') == std::string::npos);
+      }
+      BOOST_TEST(info.id.starts_with(info.kind == CaseKind::rates ? "operator/" : "conduction/"));
+      std::set<std::string> names;
+      for (ParameterSpec const& spec : info.parameters) {
+        BOOST_TEST(!spec.meaning.empty(), spec.name);
+        BOOST_TEST(names.insert(spec.name).second, spec.name);
+      }
+      if (info.kind == CaseKind::conduction) BOOST_TEST(names.contains("final_time"));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(every_case_can_be_built_from_its_defaults) {
+  for (Case const& one : all_cases()) BOOST_CHECK_NO_THROW(one.problem(Parameters(one.info.parameters)));
+}
+
+struct Bad {
+  char const* id;
+  char const* parameter;
+  ParameterValue value;
+};
+
+BOOST_AUTO_TEST_CASE(values_that_make_no_sense_are_refused) {
+  using Table = std::vector<std::vector<double>>;
+  for (Bad const& bad : {Bad{"operator/polynomial", "degree", -1.0},
+                         Bad{"operator/polynomial", "dimension", 0.0},
+                         Bad{"operator/sine", "dimension", 4.0},
+                         Bad{"conduction/manufactured", "dimension", 4.0},
+                         Bad{"conduction/manufactured", "conductivity", 0.0},
+                         Bad{"conduction/slab-dirichlet", "density", 0.0},
+                         Bad{"conduction/slab-dirichlet", "conductivity", -1.0},
+                         Bad{"conduction/slab-dirichlet", "modes", Table{{0.5, 1.0}}},
+                         Bad{"conduction/slab-dirichlet", "modes", Table{{1.0}}},
+                         Bad{"conduction/slab-dirichlet", "modes", Table{{0.0, 1.0}}},
+                         Bad{"conduction/slab-insulated", "density", -1.0},
+                         Bad{"conduction/slab-insulated", "modes", Table{{-1.0, 1.0}}},
+                         Bad{"conduction/slab-flux", "conductivity", 0.0},
+                         Bad{"conduction/half-space-step", "density", 0.0},
+                         Bad{"conduction/barenblatt", "exponent", 1.0},
+                         Bad{"conduction/barenblatt", "start_time", 0.0},
+                         Bad{"conduction/barenblatt", "half_width", 1.0},
+                         Bad{"conduction/barenblatt", "constant", -1.0},
+                         Bad{"conduction/marshak", "exponent", 0.0},
+                         Bad{"conduction/marshak", "final_time", 50.0}}) {
+    Case const* const one = find_case(bad.id);
+    BOOST_TEST_REQUIRE(one != nullptr);
+    Parameters parameters(one->info.parameters);
+    BOOST_TEST_REQUIRE(parameters.all().contains(bad.parameter));
+    parameters.set(bad.parameter, bad.value);
+    BOOST_TEST_CONTEXT(bad.id << " " << bad.parameter)
+    BOOST_CHECK_THROW(one->problem(parameters), std::invalid_argument);
+  }
+}
+
+// Documents cannot hold such numbers, but `exact --parameter` and tests can.
+BOOST_AUTO_TEST_CASE(numbers_that_are_not_finite_are_refused_by_every_case) {
+  for (Case const& one : all_cases()) {
+    for (ParameterSpec const& spec : one.info.parameters) {
+      if (!std::holds_alternative<double>(spec.default_value) || spec.name == "final_time") continue;
+      Parameters parameters(one.info.parameters);
+      parameters.set(spec.name, std::numeric_limits<double>::quiet_NaN());
+      if (spec.integer) continue;
+      BOOST_TEST_CONTEXT(one.info.id << " " << spec.name)
+      BOOST_CHECK_THROW(one.problem(parameters), std::invalid_argument);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,272 @@
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <string>
+
+#include "cases/support/case.hpp"
+#include "formulations/support/layout.hpp"
+
+// What every case of the list must hold: that its exact fields start as it says, agree with what its walls
+// prescribe, and solve its equation, by finite differences of the fields alone.
+BOOST_AUTO_TEST_SUITE(case_references)
+
+using namespace sphverify;
+
+/// Calls check(info, problem) for every case in every dimension that it knows.
+template <class Check>
+void for_each_problem(Check const& check) {
+  for (Case const& one : all_cases()) {
+    bool has_dimension = false;
+    for (ParameterSpec const& spec : one.info.parameters)
+      has_dimension = has_dimension || spec.name == "dimension";
+    for (double dimension = 1.0; dimension <= (has_dimension ? 3.0 : 1.0); dimension += 1.0) {
+      Parameters parameters(one.info.parameters);
+      if (has_dimension) parameters.set("dimension", dimension);
+      if (one.info.id == "operator/polynomial") parameters.set("degree", 3.0);
+      BOOST_TEST_CONTEXT(one.info.id << " in " << dimension << " dimensions") {
+        std::visit([&](auto const& problem) { check(one.info, problem); }, one.problem(parameters));
+      }
+    }
+  }
+}
+
+template <int Dim>
+Vector<Dim> along(int axis, double step) {
+  return step * Vector<Dim>::Unit(axis);
+}
+
+/// Places spread over the domain, off any symmetry, none nearer to a wall than 1/37 of the extent.
+template <int Dim>
+std::vector<Vector<Dim>> places(Problem<Dim> const& problem) {
+  VectorField<Dim> const positions = jittered(problem.domain, Dim == 1 ? 37 : 6, 0.3, 5).positions;
+  std::vector<Vector<Dim>> list;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    double const x = (positions[i][0] - problem.domain.lower[0]) / problem.domain.extent()[0];
+    if (x > 1.0 / 37.0 && x < 36.0 / 37.0) list.push_back(positions[i]);
+  }
+  return list;
+}
+
+/// Places on a wall.
+template <int Dim>
+std::vector<Vector<Dim>> feet(Problem<Dim> const& problem, Wall<Dim> const& wall) {
+  std::vector<Vector<Dim>> list;
+  for (Vector<Dim> const& x : places(problem)) list.push_back(wall.foot(x));
+  return list;
+}
+
+std::vector<double> times(double final_time) {
+  if (final_time == 0.0) return {0.0};
+  return {0.13 * final_time, 0.5 * final_time, final_time};
+}
+
+/// Whether a place is too near a front for finite differences.
+template <int Dim>
+bool near_front(Problem<Dim> const& problem, Vector<Dim> const& x, double t) {
+  auto const front = problem.landmarks.find("front");
+  return front != problem.landmarks.end() &&
+         std::abs(std::abs(x[0]) - front->second(t)) < 0.05 * problem.domain.extent()[0];
+}
+
+template <class Function>
+double derivative(Function const& f, double h) {
+  return (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h);
+}
+
+BOOST_AUTO_TEST_CASE(every_case_has_a_domain_walls_on_its_sides_and_a_density) {
+  for_each_problem([](CaseInfo const& info, auto const& problem) {
+    BOOST_TEST((problem.domain.extent().array() > 0.0).all());
+    BOOST_TEST(problem.walls.size() == 2u);
+    for (auto const& wall : problem.walls) {
+      BOOST_TEST(std::abs(wall.outward_normal.norm() - 1.0) < 1e-15);
+      bool const on_lower = std::abs((wall.point - problem.domain.lower).dot(wall.outward_normal)) < 1e-15;
+      bool const on_upper = std::abs((wall.point - problem.domain.upper).dot(wall.outward_normal)) < 1e-15;
+      BOOST_TEST((on_lower || on_upper));
+      for (auto const& x : places(problem)) BOOST_TEST(wall.distance(x) > 0.0);
+    }
+    for (auto const& x : places(problem)) {
+      double const density = problem.scalars.at(Field::density)(x, 0.0);
+      BOOST_TEST(density > 0.0);
+      BOOST_TEST(problem.scalars.at(Field::density)(x, problem.final_time) == density);
+    }
+    BOOST_TEST(problem.accuracy > 0.0);
+    BOOST_TEST(problem.accuracy < 1e-5);
+    if (info.kind == CaseKind::conduction) BOOST_TEST(problem.final_time > 0.0);
+    if (info.kind == CaseKind::rates) BOOST_TEST(problem.final_time == 0.0);
+  });
+}
+
+// Where a wall's temperature jumps at t = 0 the flux at the wall is infinite then, and only then and there.
+BOOST_AUTO_TEST_CASE(every_field_is_finite_at_all_times) {
+  for_each_problem([](CaseInfo const&, auto const& problem) {
+    auto const inside = places(problem);
+    auto all = inside;
+    for (auto const& wall : problem.walls) {
+      auto const more = feet(problem, wall);
+      all.insert(all.end(), more.begin(), more.end());
+    }
+    for (double t = 0.0; t <= problem.final_time;
+         t += problem.final_time > 0.0 ? problem.final_time / 8.0 : 1.0) {
+      bool finite = true;
+      for (auto const& x : all) {
+        for (auto const& [field, f] : problem.scalars) finite = finite && std::isfinite(f(x, t));
+        if (problem.source) finite = finite && std::isfinite(problem.source(x, t));
+      }
+      for (auto const& x : t == 0.0 ? inside : all) {
+        for (auto const& [field, f] : problem.vectors) finite = finite && f(x, t).allFinite();
+      }
+      for (auto const& wall : problem.walls) {
+        auto const x = wall.point;
+        for (auto const& [field, f] : problem.vectors) finite = finite && !f(x, t).hasNaN();
+        if (wall.temperature) finite = finite && std::isfinite(wall.temperature(x, t));
+        if (wall.conductivity) finite = finite && std::isfinite(wall.conductivity(x, t));
+        if (wall.flux) finite = finite && wall.flux(x, t).allFinite();
+      }
+      for (auto const& [name, value] : problem.landmarks) finite = finite && std::isfinite(value(t));
+      BOOST_TEST(finite, "t = " << t);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
+  std::size_t prescribed = 0;
+  for_each_problem([&]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    auto const exact = [&](Field field, Vector<Dim> const& x, double t) {
+      return problem.scalars.at(field)(x, t);
+    };
+    for (Wall<Dim> const& wall : problem.walls) {
+      for (double const t : times(problem.final_time)) {
+        for (Vector<Dim> const& x : feet(problem, wall)) {
+          double const tolerance = 10.0 * problem.accuracy;
+          if (wall.temperature) {
+            double const T = exact(Field::temperature, x, t);
+            BOOST_TEST(std::abs(wall.temperature(x, t) - T) <= tolerance);
+            BOOST_REQUIRE(wall.conductivity);
+            BOOST_TEST(std::abs(wall.conductivity(x, t) - problem.conductivity(x, T)) <= tolerance);
+            ++prescribed;
+          }
+          if (wall.flux) {
+            Vector<Dim> const difference = wall.flux(x, t) - problem.vectors.at(Field::flux)(x, t);
+            BOOST_TEST(std::abs(difference.dot(wall.outward_normal)) <= tolerance);
+            ++prescribed;
+          }
+          if (wall.pressure)
+            BOOST_TEST(std::abs(wall.pressure(x, t) - exact(Field::pressure, x, t)) <= tolerance);
+          if (wall.velocity) {
+            Vector<Dim> const difference = wall.velocity(x, t) - problem.vectors.at(Field::velocity)(x, t);
+            BOOST_TEST(difference.norm() <= tolerance);
+          }
+          BOOST_TEST((wall.temperature || wall.flux));
+        }
+      }
+    }
+  });
+  BOOST_TEST(prescribed > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE(conductivity_is_not_negative_and_depends_on_temperature_only_where_it_says_so) {
+  for_each_problem([]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    bool depends = false;
+    for (Vector<Dim> const& x : places(problem)) {
+      for (double const T : {-0.1, 0.0, 0.3, 1.0, 2.5}) {
+        double const K = problem.conductivity(x, T);
+        BOOST_TEST((std::isfinite(K) && K >= 0.0));
+        depends = depends || K != problem.conductivity(x, 1.0);
+      }
+      BOOST_TEST(problem.conductivity(x, 1.0) > 0.0);
+    }
+    BOOST_TEST(depends == problem.conductivity_depends_on_temperature);
+  });
+}
+
+BOOST_AUTO_TEST_CASE(the_exact_flux_is_minus_conductivity_times_the_gradient_of_temperature) {
+  for_each_problem([]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    auto const& T = problem.scalars.at(Field::temperature);
+    double const h = 1e-3 * problem.domain.extent()[0];
+    for (double const t : times(problem.final_time)) {
+      for (Vector<Dim> const& x : places(problem)) {
+        if (near_front(problem, x, t)) continue;
+        Vector<Dim> gradient;
+        for (int k = 0; k < Dim; ++k)
+          gradient[k] = derivative([&](double s) { return T(x + along<Dim>(k, s), t); }, h);
+        Vector<Dim> const expected = -problem.conductivity(x, T(x, t)) * gradient;
+        double const difference = (problem.vectors.at(Field::flux)(x, t) - expected).norm();
+        BOOST_TEST(difference < 1e-5 * (1.0 + expected.norm()), "x = " << x.transpose() << ", t = " << t);
+      }
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(conduction_cases_solve_their_equation) {
+  for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    if (info.kind != CaseKind::conduction) return;
+    auto const& T = problem.scalars.at(Field::temperature);
+    auto const& F = problem.vectors.at(Field::flux);
+    double const h = 2e-3 * problem.domain.extent()[0];
+    std::size_t checked = 0;
+    double largest = 0.0;
+    for (double const t : {0.13 * problem.final_time, 0.5 * problem.final_time, 0.9 * problem.final_time}) {
+      for (Vector<Dim> const& x : places(problem)) {
+        if (near_front(problem, x, t)) continue;
+        double divergence = 0.0;
+        for (int k = 0; k < Dim; ++k)
+          divergence += derivative([&](double s) { return F(x + along<Dim>(k, s), t)[k]; }, h);
+        double const change = derivative([&](double s) { return T(x, t + s); }, 1e-3 * t);
+        double const density = problem.scalars.at(Field::density)(x, t);
+        double const source = problem.source ? problem.source(x, t) : 0.0;
+        double const scale = 1.0 + std::abs(density * change) + std::abs(divergence);
+        BOOST_TEST(
+            std::abs(density * change + divergence - density * source) < 1e-4 * scale,
+            "x = " << x.transpose() << ", t = " << t << ": " << density * change << " + " << divergence);
+        largest = std::max(largest, std::abs(change));
+        ++checked;
+      }
+    }
+    BOOST_TEST(checked > 30u);
+    BOOST_TEST(largest > 0.1);  // something happens
+  });
+}
+
+BOOST_AUTO_TEST_CASE(operator_cases_give_the_rates_of_their_fields) {
+  for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    if (info.kind != CaseKind::rates) return;
+    double const h = 1e-3;
+    auto const divergence = [&](auto const& f, Vector<Dim> const& x) {
+      double sum = 0.0;
+      for (int k = 0; k < Dim; ++k)
+        sum += derivative([&](double s) { return f(x + along<Dim>(k, s))[k]; }, h);
+      return sum;
+    };
+    for (Vector<Dim> const& x : places(problem)) {
+      double const rho = problem.scalars.at(Field::density)(x, 0.0);
+      auto const P = [&](Vector<Dim> const& y) { return problem.scalars.at(Field::pressure)(y, 0.0); };
+      auto const v = [&](Vector<Dim> const& y) -> Vector<Dim> {
+        return problem.vectors.at(Field::velocity)(y, 0.0);
+      };
+      auto const Pv = [&](Vector<Dim> const& y) -> Vector<Dim> { return P(y) * v(y); };
+      auto const F = [&](Vector<Dim> const& y) -> Vector<Dim> {
+        return problem.vectors.at(Field::flux)(y, 0.0);
+      };
+      Vector<Dim> gradient;
+      for (int k = 0; k < Dim; ++k)
+        gradient[k] = derivative([&](double s) { return P(x + along<Dim>(k, s)); }, h);
+      BOOST_TEST((problem.acceleration(x, 0.0) + gradient / rho).norm() < 1e-8);
+      auto const heating = [&](Rate rate) { return problem.heating.at(rate)(x, 0.0); };
+      BOOST_TEST(std::abs(heating(Rate::internal_work) + P(x) * divergence(v, x) / rho) < 1e-7);
+      BOOST_TEST(std::abs(heating(Rate::total_work) + divergence(Pv, x) / rho) < 1e-7);
+      BOOST_TEST(std::abs(heating(Rate::conduction_heating) + divergence(F, x) / rho) < 1e-7);
+    }
+  });
+}
+
+BOOST_AUTO_TEST_CASE(initial_states_that_are_called_uniform_or_zero_are) {
+  for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    auto const& T = problem.scalars.at(Field::temperature);
+    auto const all = places(problem);
+    if (info.initial == "uniform" || info.initial == "T = 0") {
+      for (Vector<Dim> const& x : all) BOOST_TEST(T(x, 0.0) == T(all.front(), 0.0));
+    }
+    if (info.initial == "T = 0") BOOST_TEST(T(all.front(), 0.0) == 0.0);
+  });
+}
+
+BOOST_AUTO_TEST_SUITE_END()

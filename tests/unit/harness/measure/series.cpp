@@ -1,0 +1,164 @@
+#include "harness/measure/series.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+
+BOOST_AUTO_TEST_SUITE(harness_measure_series)
+
+using namespace sphverify;
+using boost::test_tools::tolerance;
+
+RunRecord run_at(int resolution, double error, double seconds = 0.0) {
+  RunRecord run;
+  run.case_id = "conduction/slab-dirichlet";
+  run.formulation.id = run.label = "conduction/brookshaw";
+  run.resolution = resolution;
+  run.spacing = 1.0 / resolution;
+  run.errors["temperature"]["all"] = {{0.5 * error, error, 2.0 * error}, {1.0, 2.0, 4.0}, 1e-15};
+  if (seconds > 0.0) run.cost.emplace().seconds = seconds;
+  return run;
+}
+
+RunRecord seeded(RunRecord run, std::uint64_t seed) {
+  run.discretisation.layout = {"jittered", 0.1, seed};
+  return run;
+}
+
+OrderEntry const* find(Series const& series, std::string const& norm) {
+  for (OrderEntry const& entry : series.orders) {
+    if (entry.field == "temperature" && entry.region == "all" && entry.norm == norm) return &entry;
+  }
+  return nullptr;
+}
+
+BOOST_AUTO_TEST_CASE(runs_that_differ_only_in_resolution_are_one_series_from_coarse_to_fine) {
+  auto const all = build_series({run_at(100, 1e-4), run_at(25, 16e-4), run_at(50, 4e-4)});
+  BOOST_TEST(all.size() == 1u);
+  BOOST_TEST(all[0].runs.size() == 3u);
+  OrderEntry const* const l2 = find(all[0], "l2");
+  BOOST_TEST_REQUIRE(l2 != nullptr);
+  BOOST_TEST(l2->levels[0].resolution == 25);
+  BOOST_TEST(*l2->levels[2].error == 1e-4);
+  BOOST_TEST(*l2->observed.order == 2.0, tolerance(1e-12));
+  BOOST_TEST(l2->observed.verdict == "asymptotic");
+  BOOST_TEST(!l2->levels[0].spread.has_value());
+  BOOST_TEST(!l2->levels[0].seconds.has_value());
+  BOOST_TEST(*find(all[0], "linf")->levels[0].error == 32e-4);
+  BOOST_TEST(*find(all[0], "l1")->levels[0].error == 8e-4);
+}
+
+BOOST_AUTO_TEST_CASE(the_order_is_taken_on_the_spacing_not_on_the_resolution) {
+  std::vector<RunRecord> runs{run_at(25, 1.0), run_at(50, 1.0), run_at(100, 1.0)};
+  for (RunRecord& run : runs) {
+    run.spacing = std::pow(run.resolution, -0.5);
+    run.errors["temperature"]["all"].error.l2 = 3.0 * run.spacing;
+  }
+  BOOST_TEST(*find(build_series(runs)[0], "l2")->observed.order == 1.0, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(whatever_else_differs_makes_another_series) {
+  RunRecord const one = run_at(25, 1.0);
+  std::vector<RunRecord> runs{one};
+  auto const add = [&](auto const& change) {
+    RunRecord run = one;
+    change(run);
+    runs.push_back(run);
+  };
+  add([](RunRecord& r) { r.case_id = "conduction/slab-insulated"; });
+  add([](RunRecord& r) { r.parameters["left"] = 2.0; });
+  add([](RunRecord& r) { r.formulation.walls = false; });
+  add([](RunRecord& r) { r.formulation.id = "conduction/lucy-flux"; });
+  add([](RunRecord& r) { r.discretisation.density = "summation"; });
+  add([](RunRecord& r) { r.discretisation.smoothing_ratio = 1.0; });
+  add([](RunRecord& r) { r.discretisation.face_weight = "balanced"; });
+  add([](RunRecord& r) { r.discretisation.closure = "one-sided"; });
+  add([](RunRecord& r) { r.discretisation.integrator = "runge-kutta"; });
+  add([](RunRecord& r) { r.discretisation.layout = {"jittered", 0.1, 1}; });
+  add([](RunRecord& r) { r.discretisation.layout = {"jittered", 0.2, 1}; });
+  add([](RunRecord& r) { r.smoothing_exponent = 0.5; });
+  BOOST_TEST(build_series(runs).size() == runs.size());
+  BOOST_TEST(build_series({}).empty());
+}
+
+BOOST_AUTO_TEST_CASE(seeds_are_replicates_of_a_level_with_their_mean_and_spread) {
+  std::vector<RunRecord> runs;
+  for (int const n : {25, 50, 100}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+      runs.push_back(seeded(run_at(n, static_cast<double>(seed) / n, 0.1 * static_cast<double>(seed)), seed));
+  }
+  auto const all = build_series(runs);
+  BOOST_TEST(all.size() == 1u);
+  SeriesLevel const& level = find(all[0], "l2")->levels[1];
+  BOOST_TEST(level.replicates == 3);
+  BOOST_TEST(*level.error == 2.0 / 50.0, tolerance(1e-13));
+  BOOST_TEST(*level.spread == 1.0 / 50.0, tolerance(1e-13));
+  BOOST_TEST(*level.seconds == 0.2, tolerance(1e-13));
+  BOOST_TEST(*find(all[0], "l2")->observed.order == 1.0, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(a_level_of_which_a_replicate_failed_has_no_error) {
+  std::vector<RunRecord> runs;
+  for (int const n : {25, 50, 100}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) runs.push_back(seeded(run_at(n, 1.0 / n), seed));
+  }
+  runs.back().status = "unstable";
+  runs.back().errors.clear();
+  OrderEntry const entry = *find(build_series(runs)[0], "l2");
+  BOOST_TEST(!entry.levels[2].error.has_value());
+  BOOST_TEST(entry.levels[2].replicates == 3);
+  BOOST_TEST(entry.observed.verdict == "diverging");
+  BOOST_TEST(*entry.levels[1].error == 1.0 / 50.0, tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE(errors_of_a_run_that_did_not_end_well_do_not_count) {
+  std::vector<RunRecord> runs{run_at(25, 1.0), run_at(50, 0.5), run_at(100, 0.25)};
+  runs.back().status = "timed-out";
+  BOOST_TEST(find(build_series(runs)[0], "l2")->observed.verdict == "diverging");
+}
+
+BOOST_AUTO_TEST_CASE(a_ladder_of_which_every_run_failed_still_has_a_verdict) {
+  std::vector<RunRecord> runs{run_at(25, 1.0), run_at(50, 0.5), run_at(100, 0.25)};
+  for (RunRecord& run : runs) {
+    run.status = "unstable";
+    run.errors.clear();
+  }
+  auto const all = build_series(runs);
+  BOOST_TEST_REQUIRE(!all[0].orders.empty());
+  for (OrderEntry const& entry : all[0].orders) BOOST_TEST(entry.observed.verdict == "diverging");
+}
+
+BOOST_AUTO_TEST_CASE(round_off_of_the_runs_floors_the_ladder) {
+  std::vector<RunRecord> runs{run_at(25, 1e-16), run_at(50, 2e-16), run_at(100, 1e-16)};
+  for (RunRecord& run : runs) run.errors["temperature"]["all"].round_off = 1e-14;
+  BOOST_TEST(find(build_series(runs)[0], "l2")->observed.verdict == "floored");
+}
+
+BOOST_AUTO_TEST_CASE(time_to_an_error_is_interpolated_in_logarithms) {
+  // The l2 scale is 2: 10% is 0.2, 1% is 0.02, 0.1% is 0.002. Error goes as seconds^-1/2.
+  auto const all = build_series(
+      {run_at(25, 0.4, 1.0), run_at(50, 0.1, 16.0), run_at(100, 0.025, 256.0), run_at(200, 0.00625, 4096.0)});
+  std::vector<TimeToError> l2;
+  for (TimeToError const& t : all[0].time_to_error) {
+    if (t.norm == "l2") l2.push_back(t);
+  }
+  BOOST_TEST_REQUIRE(l2.size() == 3u);
+  BOOST_TEST(l2[0].relative == 0.1);
+  BOOST_TEST(l2[0].error == 0.2, tolerance(1e-13));
+  BOOST_TEST(*l2[0].seconds == 4.0, tolerance(1e-10));
+  BOOST_TEST(*l2[1].seconds == 400.0, tolerance(1e-10));
+  BOOST_TEST(!l2[2].seconds.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(an_error_reached_at_once_takes_the_time_of_the_coarsest_run) {
+  auto const all = build_series({run_at(25, 0.1, 3.0), run_at(50, 0.05, 9.0), run_at(100, 0.0, 27.0)});
+  for (TimeToError const& t : all[0].time_to_error) {
+    if (t.norm == "l2" && t.relative == 0.1) BOOST_TEST(*t.seconds == 3.0);
+    if (t.norm == "l2" && t.relative == 0.001) BOOST_TEST(*t.seconds == 27.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(without_timings_there_is_no_time_to_an_error) {
+  BOOST_TEST(build_series({run_at(25, 0.1), run_at(50, 0.05)})[0].time_to_error.empty());
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,308 @@
+#include "harness/study/study.hpp"
+
+#include <boost/test/unit_test.hpp>
+
+#include "tests/support/documents.hpp"
+
+BOOST_AUTO_TEST_SUITE(harness_study_study)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+using boost::test_tools::per_element;
+using Words = std::vector<std::string>;
+using Numbers = std::vector<double>;
+
+Json smallest() {
+  return Json::parse(R"({"schema": "sphverify-study/1", "name": "small",
+                         "cases": "conduction/slab-dirichlet", "formulations": "conduction/brookshaw",
+                         "resolution": 25})");
+}
+
+Study read(Json const& document) { return read_study(Node(document, "study.json")); }
+
+std::string refusal(Json const& document) {
+  return complaint([&] { read(document); });
+}
+
+/// What is said of the smallest study with one key set to a value.
+std::string refusal(std::string const& key, std::string const& value) {
+  Json document = smallest();
+  document[key] = Json::parse(value);
+  return refusal(document);
+}
+
+void check_says(std::string const& said, Words const& parts) {
+  BOOST_TEST(!said.empty());
+  for (std::string const& part : parts)
+    BOOST_TEST(said.find(part) != std::string::npos, "'" << said << "' lacks '" << part << "'");
+  BOOST_TEST(said.find('\n') == std::string::npos, said);
+}
+
+BOOST_AUTO_TEST_CASE(defaults_are_filled_in) {
+  Study const study = read(smallest());
+  BOOST_TEST(study.name == "small");
+  BOOST_TEST(study.cases.size() == 1u);
+  BOOST_TEST(study.cases[0].scene_case->info.id == "conduction/slab-dirichlet");
+  BOOST_TEST(study.cases[0].parameters.number("final_time") == 0.05);
+  BOOST_TEST(study.formulations.size() == 1u);
+  BOOST_TEST(study.formulations[0].walls);
+  BOOST_TEST(study.kernels == Words{"cubic-spline"}, per_element());
+  BOOST_TEST(study.densities == Words{"given"}, per_element());
+  BOOST_TEST(study.face_weights == Words{"exact"}, per_element());
+  BOOST_TEST(study.closures == Words{"interpolated"}, per_element());
+  BOOST_TEST(study.integrators == Words{"bdf"}, per_element());
+  BOOST_TEST(study.smoothing_ratios == Numbers{1.2}, per_element());
+  BOOST_TEST(study.smoothing_exponents == Numbers{0.0}, per_element());
+  BOOST_TEST(study.layouts.size() == 1u);
+  BOOST_TEST(study.layouts[0].id == "lattice");
+  BOOST_TEST(study.resolutions == std::vector<int>{25}, per_element());
+  BOOST_TEST((study.measure == MeasureSet{Measure::error, Measure::conservation, Measure::cost}));
+  BOOST_TEST(study.threads == 1);
+  BOOST_TEST(study.repeat == 1);
+  BOOST_TEST(study.time_budget > 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(one_value_or_many_are_both_fine) {
+  Json document = smallest();
+  document["cases"] = Json::parse(R"(["operator/sine", {"id": "conduction/slab-dirichlet", "parameters":
+                      {"final_time": 0.04, "modes": [[2, 0.5]]}}])");
+  document["formulations"] =
+      Json::parse(R"(["conduction/brookshaw", {"id": "conduction/lucy-flux", "walls": "off"},
+                      {"id": "momentum/p-rho2", "work": "work/total-energy",
+                       "conduction": "conduction/brookshaw"}])");
+  document["discretisation"] = Json::parse(
+      R"({"density": ["given", "summation"], "smoothing_ratio": [1.0, 1.2],
+          "layout": ["lattice", {"id": "jittered", "amplitude": 0.1, "seed": 7},
+                     {"id": "jittered", "amplitude": 0.2, "seeds": [1, 2, 3]}],
+          "face_weight": "balanced"})");
+  document["resolution"] = {25, 50, 100};
+  document["smoothing_exponent"] = {0, 0.5};
+  document["closure"] = "one-sided";
+  document["integrator"] = {"bdf", "runge-kutta"};
+  document["measure"] = "stability";
+  document["threads"] = 2;
+  document["repeat"] = 3;
+  document["time_budget"] = 12.5;
+  Study const study = read(document);
+  BOOST_TEST(study.cases.size() == 2u);
+  BOOST_TEST(study.cases[1].parameters.number("final_time") == 0.04);
+  BOOST_TEST(study.cases[1].parameters.number("left") == 1.0);
+  BOOST_TEST(study.cases[1].parameters.table("modes").size() == 1u);
+  BOOST_TEST(!study.formulations[1].walls);
+  BOOST_TEST(study.formulations[2].work == "work/total-energy");
+  BOOST_TEST(study.formulations[2].conduction == "conduction/brookshaw");
+  BOOST_TEST(study.densities.size() == 2u);
+  BOOST_TEST(study.layouts.size() == 5u);
+  BOOST_TEST(study.layouts[1].seed == 7u);
+  BOOST_TEST(study.layouts[4].seed == 3u);
+  BOOST_TEST(study.layouts[4].amplitude == 0.2);
+  BOOST_TEST(study.face_weights == Words{"balanced"}, per_element());
+  BOOST_TEST(study.closures == Words{"one-sided"}, per_element());
+  BOOST_TEST(study.integrators.size() == 2u);
+  BOOST_TEST(study.resolutions.size() == 3u);
+  BOOST_TEST(study.smoothing_exponents == (Numbers{0.0, 0.5}), per_element());
+  BOOST_TEST((study.measure == MeasureSet{Measure::stability}));
+  BOOST_TEST(study.threads == 2);
+  BOOST_TEST(study.repeat == 3);
+  BOOST_TEST(study.time_budget == 12.5);
+}
+
+BOOST_AUTO_TEST_CASE(a_study_written_down_reads_back_as_itself) {
+  Json document = smallest();
+  document["cases"] = Json::parse(
+      R"(["operator/polynomial", {"id": "conduction/slab-dirichlet", "parameters": {"modes": [[2, 0.3]]}}])");
+  document["formulations"] = Json::parse(R"([{"id": "momentum/p-rho2", "work": "work/total-energy"},
+                      {"id": "conduction/lucy-flux", "walls": "off"}])");
+  document["discretisation"] = Json::parse(
+      R"({"density": ["summation", "given"], "layout": {"id": "jittered", "amplitude": 0.1, "seeds": [4, 2]},
+          "smoothing_ratio": 1.3333333333333333})");
+  document["measure"] = {"spectrum", "error"};
+  document["resolution"] = {7, 11};
+  Study const study = read(document);
+  Json const written = to_json(study);
+  Json const again = to_json(read(written));
+  BOOST_TEST(written.dump() == again.dump());
+  BOOST_TEST(written.at("discretisation").at("smoothing_ratio")[0].get<double>() == 1.3333333333333333);
+  BOOST_TEST((read(written).formulations == study.formulations));
+  BOOST_TEST((read(written).layouts == study.layouts));
+  BOOST_TEST((read(written).cases[1].parameters == study.cases[1].parameters));
+  BOOST_TEST((read(written).measure == study.measure));
+}
+
+BOOST_AUTO_TEST_CASE(the_standard_study_is_a_study) {
+  std::string const path = SPHVERIFY_SOURCE_DIR "/cases/studies/conduction-walls-1d.json";
+  Study const study = read_study(Node(read_json_file(path), path));
+  BOOST_TEST(study.formulations.size() == 6u);
+  BOOST_TEST(study.cases.size() == 3u);
+  BOOST_TEST(study.resolutions.size() >= 4u);
+  BOOST_TEST(study.smoothing_exponents.size() == 2u);
+  BOOST_TEST(study.densities.size() == 2u);
+  std::size_t replicates = 0;
+  for (LayoutChoice const& layout : study.layouts) replicates += layout.id == "jittered" ? 1 : 0;
+  BOOST_TEST(replicates >= 5u);
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_key_is_named_with_the_nearest_one) {
+  check_says(refusal("resolutions", "25"),
+             {"study.json: resolutions: found an unknown key", "did you mean 'resolution'?"});
+  check_says(refusal("discretisation", R"({"smoothing_ration": 1})"),
+             {"discretisation.smoothing_ration", "did you mean 'smoothing_ratio'?"});
+  check_says(refusal("cases", R"([{"id": "operator/sine", "parameters": {"phse": 1}}])"),
+             {"study.json: cases[0].parameters.phse", "did you mean 'phase'?"});
+  check_says(refusal("formulations", R"({"id": "conduction/brookshaw", "wall": "off"})"),
+             {"formulations.wall", "did you mean 'walls'?"});
+  check_says(refusal("discretisation", R"({"layout": {"id": "jittered", "amplitud": 0.1, "seed": 1}})"),
+             {"discretisation.layout.amplitud", "did you mean 'amplitude'?"});
+  check_says(refusal("discretisation", R"({"layout": {"id": "lattice", "seed": 1}})"),
+             {"discretisation.layout.seed", "unknown key"});
+}
+
+BOOST_AUTO_TEST_CASE(an_unknown_identifier_is_named_with_the_nearest_one) {
+  check_says(refusal("formulations", R"(["conduction/brokshaw"])"),
+             {"study.json: formulations[0]: found 'conduction/brokshaw', expected one of",
+              "did you mean 'conduction/brookshaw'?"});
+  check_says(refusal("formulations", R"("brookshaw")"), {"did you mean 'conduction/brookshaw'?"});
+  check_says(
+      refusal("cases", R"("conduction/slab-dirichlett")"),
+      {"study.json: cases: found 'conduction/slab-dirichlett'", "did you mean 'conduction/slab-dirichlet'?"});
+  check_says(refusal("discretisation", R"({"kernel": "cubic"})"),
+             {"discretisation.kernel: found 'cubic'", "cubic-spline"});
+  check_says(refusal("discretisation", R"({"density": "sumation"})"), {"did you mean 'summation'?"});
+  check_says(refusal("discretisation", R"({"face_weight": ["exact", "ballanced"]})"),
+             {"discretisation.face_weight[1]", "did you mean 'balanced'?"});
+  check_says(refusal("closure", R"("onesided")"), {"closure", "did you mean 'one-sided'?"});
+  check_says(refusal("integrator", R"("rk")"), {"integrator: found 'rk'", "bdf, runge-kutta"});
+  check_says(refusal("measure", R"(["error", "costs"])"), {"measure[1]", "did you mean 'cost'?"});
+  check_says(refusal("discretisation", R"({"layout": "latice"})"), {"did you mean 'lattice'?"});
+  check_says(refusal("formulations", R"({"id": "momentum/p-rho2", "work": "conduction/brookshaw"})"),
+             {"formulations.work", "work/total-energy"});
+}
+
+BOOST_AUTO_TEST_CASE(a_value_of_the_wrong_type_is_shown_with_what_was_expected) {
+  check_says(refusal("name", "3"), {"study.json: name: found 3, expected a string"});
+  check_says(refusal("threads", R"("many")"), {"threads: found 'many', expected a whole number"});
+  check_says(refusal("threads", "1.5"), {"threads: found 1.5, expected a whole number"});
+  check_says(refusal("repeat", "0"), {"repeat: found 0"});
+  check_says(refusal("time_budget", "-1"), {"time_budget: found -1, expected a positive number"});
+  check_says(refusal("time_budget", "null"), {"time_budget: found null, expected a positive number"});
+  check_says(refusal("discretisation", R"({"smoothing_ratio": [1.2, 0]})"),
+             {"discretisation.smoothing_ratio[1]: found 0, expected a positive number"});
+  check_says(refusal("discretisation", R"({"smoothing_ratio": true})"), {"found true"});
+  check_says(refusal("discretisation", "[]"), {"discretisation", "expected an object"});
+  check_says(refusal("smoothing_exponent", "7"), {"smoothing_exponent: found 7"});
+  check_says(refusal("cases", "[]"), {"cases: found an empty list"});
+  check_says(refusal("cases", "[4]"), {"cases[0]"});
+  check_says(refusal("measure", "{}"), {"measure: found an object"});
+  check_says(refusal("formulations", R"({"id": "conduction/brookshaw", "walls": true})"),
+             {"formulations.walls: found true", "on, off"});
+}
+
+BOOST_AUTO_TEST_CASE(resolutions_are_positive_whole_numbers_in_ascending_order) {
+  check_says(refusal("resolution", "-25"), {"study.json: resolution: found -25, expected a whole number"});
+  check_says(refusal("resolution", "0"), {"resolution: found 0"});
+  check_says(refusal("resolution", "[25, 12.5]"), {"resolution[1]: found 12.5"});
+  check_says(refusal("resolution", "[50, 25]"), {"resolution[1]: found 25", "ascending"});
+  check_says(refusal("resolution", "[25, 25]"), {"resolution[1]: found 25"});
+  check_says(refusal("resolution", R"(["25"])"), {"resolution[0]: found '25'"});
+  check_says(refusal("resolution", "[]"), {"resolution: found an empty list"});
+  check_says(refusal("resolution", "1e300"), {"resolution: found 1e+300"});
+}
+
+BOOST_AUTO_TEST_CASE(a_missing_key_is_named) {
+  for (char const* key : {"schema", "name", "cases", "formulations", "resolution"}) {
+    Json document = smallest();
+    document.erase(key);
+    check_says(refusal(document), {"study.json: " + std::string(key) + ": found nothing"});
+  }
+  check_says(refusal("cases", R"({"parameters": {}})"), {"cases.id: found nothing"});
+}
+
+BOOST_AUTO_TEST_CASE(another_document_is_refused) {
+  check_says(refusal("schema", R"("sphverify-results/1")"),
+             {"schema: found 'sphverify-results/1', expected sphverify-study/1"});
+  check_says(refusal("schema", "1"), {"schema: found 1"});
+  check_says(refusal(Json::array()), {"study.json: found an empty list"});
+}
+
+BOOST_AUTO_TEST_CASE(a_jittered_layout_needs_an_amplitude_below_half_and_seeds) {
+  auto const layout = [](std::string const& value) {
+    return refusal("discretisation", R"({"layout": )" + value + "}");
+  };
+  check_says(layout(R"("jittered")"), {"discretisation.layout: found 'jittered'", "amplitude", "seed"});
+  check_says(layout(R"({"id": "jittered", "amplitude": 0.1})"),
+             {"discretisation.layout.seed: found nothing"});
+  check_says(layout(R"({"id": "jittered", "seed": 1})"), {"discretisation.layout.amplitude: found nothing"});
+  check_says(layout(R"({"id": "jittered", "amplitude": 0.5, "seed": 1})"),
+             {"discretisation.layout.amplitude: found 0.5"});
+  check_says(layout(R"({"id": "jittered", "amplitude": -0.1, "seed": 1})"), {"amplitude: found -0.1"});
+  check_says(layout(R"({"id": "jittered", "amplitude": 0.1, "seed": -1})"), {"layout.seed: found -1"});
+  check_says(layout(R"({"id": "jittered", "amplitude": 0.1, "seed": 1, "seeds": [2]})"), {"seed"});
+  check_says(layout(R"({"id": "jittered", "amplitude": 0.1, "seeds": []})"), {"seeds: found an empty list"});
+}
+
+BOOST_AUTO_TEST_CASE(a_value_given_twice_is_refused) {
+  check_says(refusal("formulations", R"(["conduction/brookshaw", "conduction/brookshaw"])"),
+             {"formulations[1]", "only once"});
+  check_says(
+      refusal("formulations", R"(["conduction/brookshaw", {"id": "conduction/brookshaw", "walls": "on"}])"),
+      {"formulations[1]", "only once"});
+  BOOST_TEST(refusal("formulations",
+                     R"(["conduction/brookshaw", {"id": "conduction/brookshaw", "walls": "off"}])") == "");
+  check_says(refusal("discretisation", R"({"density": ["given", "given"]})"), {"density[1]", "only once"});
+  check_says(refusal("discretisation", R"({"smoothing_ratio": [1.2, 1.20]})"),
+             {"smoothing_ratio[1]", "only once"});
+  check_says(refusal("smoothing_exponent", "[0, 0.0]"), {"smoothing_exponent[1]", "only once"});
+  check_says(
+      refusal("discretisation", R"({"layout": {"id": "jittered", "amplitude": 0.1, "seeds": [1, 1]}})"),
+      {"seeds[1]", "only once"});
+}
+
+// A layout or a case twice would make every run a replicate of itself, and the interval too narrow.
+BOOST_AUTO_TEST_CASE(a_layout_given_twice_is_refused) {
+  check_says(refusal("discretisation", R"({"layout": ["lattice", "lattice"]})"), {"layout[1]"});
+  check_says(refusal("discretisation", R"({"layout": [{"id": "jittered", "amplitude": 0.1, "seed": 1},
+                                                      {"id": "jittered", "amplitude": 0.1, "seeds": [2, 1]}
+                                                     ]})"),
+             {"layout[1]"});
+}
+
+BOOST_AUTO_TEST_CASE(a_case_given_twice_is_refused) {
+  check_says(refusal("cases", R"(["conduction/slab-dirichlet", {"id": "conduction/slab-dirichlet"}])"),
+             {"cases[1]"});
+  BOOST_TEST(refusal("cases", R"(["conduction/slab-dirichlet",
+                                  {"id": "conduction/slab-dirichlet", "parameters": {"left": 2}}])") == "");
+}
+
+BOOST_AUTO_TEST_CASE(a_choice_stands_in_one_place_only) {
+  Json document = smallest();
+  document["closure"] = "one-sided";
+  document["discretisation"] = {{"closure", "interpolated"}};
+  check_says(refusal(document), {"study.json: closure"});
+}
+
+BOOST_AUTO_TEST_CASE(only_a_momentum_form_has_partners) {
+  check_says(refusal("formulations", R"({"id": "conduction/brookshaw", "work": "work/total-energy"})"),
+             {"formulations.work", "momentum form"});
+}
+
+BOOST_AUTO_TEST_CASE(bad_parameters_are_refused_in_the_case_s_own_words) {
+  auto const slab = [](std::string const& parameters) {
+    return refusal("cases", R"([{"id": "conduction/slab-dirichlet", "parameters": )" + parameters + "}]");
+  };
+  check_says(slab(R"({"conductivity": -1})"),
+             {"study.json: cases[0]", "conductivity must be positive, found -1"});
+  check_says(slab(R"({"conductivity": "high"})"),
+             {"study.json: cases[0].parameters.conductivity: found 'high', expected a number"});
+  check_says(slab(R"({"final_time": 0})"), {"cases[0]", "final_time must be positive"});
+  check_says(slab(R"({"modes": [1, 2]})"), {"cases[0].parameters.modes[0]"});
+  check_says(slab(R"({"modes": [[1, 2, 3]]})"), {"cases[0]", "modes"});
+  check_says(slab(R"([1])"), {"cases[0].parameters"});
+  check_says(refusal("cases", R"({"id": "operator/sine", "parameters": {"dimension": 4}})"),
+             {"dimension must be 1, 2 or 3, found 4"});
+  check_says(refusal("cases", R"({"id": "operator/sine", "parameters": {"dimension": 1.5}})"),
+             {"cases.parameters.dimension: found 1.5, expected a whole number"});
+  check_says(refusal("cases", R"({"id": "conduction/marshak", "parameters": {"final_time": 1000}})"),
+             {"final_time must leave the front inside"});
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -1,0 +1,313 @@
+#include "reports/json/results_json.hpp"
+
+#include <sys/stat.h>
+
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
+
+#include "tests/support/documents.hpp"
+
+BOOST_AUTO_TEST_SUITE(reports_json_results_json)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+double constexpr nan = std::numeric_limits<double>::quiet_NaN();
+double constexpr infinity = std::numeric_limits<double>::infinity();
+
+/// A run with everything that a run can have, no two numbers alike.
+RunRecord full_run() {
+  RunRecord r;
+  r.case_id = "operator/sine";
+  r.parameters["dimension"] = 2.0;
+  r.parameters["phase"] = 1.0 / 3.0;
+  r.parameters["preset"] = std::string("sod");
+  r.parameters["left"] = std::vector<double>{1.0, 0.5, 1e-300};
+  r.parameters["modes"] = std::vector<std::vector<double>>{{1.0, 0.1}, {3.0, 0.7}};
+  r.formulation = {"momentum/p-rho2", "work/total-energy", "conduction/brookshaw", false};
+  r.label = "a label with \"quotes\", ä and\nlines";
+  r.discretisation = {"cubic-spline", "summation", 1.1,          {"jittered", 0.15, 12345678901234ull},
+                      "balanced",     "one-sided", "runge-kutta"};
+  r.smoothing_exponent = 0.5;
+  r.resolution = 40;
+  r.particles = 1600;
+  r.spacing = 0.025;
+  r.smoothing_length = 0.0275;
+  r.status = "unstable";
+  r.reason = "because";
+  r.scene.fields = {"position", "mass"};
+  r.scene.passes = {{"kernel", 1}, {"flux", 20}};
+  r.errors["temperature"]["all"] = {{0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}, 1e-14};
+  r.errors["temperature"]["wall"] = {{0.4, 0.5, 0.6}, {1.4, 1.5, 1.6}, 2e-14};
+  r.errors["flux"]["all"] = {{0.7, 0.8, 0.9}, {1.7, 1.8, 1.9}, 3e-14};
+  Budget energy;
+  energy.initial = 2.1;
+  energy.final = 2.2;
+  energy.exchanged = 0.05;
+  energy.drift = 0.06;
+  r.conservation["mass"] = energy;
+  energy.wall_budget_defect = -0.07;
+  r.conservation["energy"] = energy;
+  WallFlux flux;
+  flux.measured = 3.1;
+  flux.exact = 3.2;
+  flux.error = -0.1;
+  r.wall_flux = {flux, WallFlux{}};
+  Cost cost;
+  cost.seconds = 4.1;
+  cost.cpu_seconds = 4.2;
+  cost.setup_seconds = 0.4;
+  cost.repeats = 3;
+  cost.steps = 44;
+  cost.rate_evaluations = 45;
+  cost.pair_interactions = 9007199254740993ull;  // more than a double can count
+  cost.peak_bytes = 47;
+  r.cost = cost;
+  r.stability = Stability{5.1, 5.2, std::nullopt, 6, "a mode grows"};
+  r.integration = Integration{"bdf", 1e-6, 2e-6, 7e-9, 0.003};
+  r.smallest_face_weight = Number(-0.3);
+  Profile profile;
+  profile.position = {{0.1, 0.2}, {0.3, 0.4}};
+  profile.computed["velocity"] = {{1.0, 2.0}, {3.0, 4.0}};
+  profile.exact["velocity"] = {{1.5, 2.5}, {3.5, 4.5}};
+  r.profile = profile;
+  r.history = History{{0.0, 1.0}, {2.0, 3.0}, {4.0, 5.0}};
+  r.spectrum = {{-1.0, 0.5}, {-1.0, -0.5}};
+  return r;
+}
+
+Results full_results() {
+  Results results;
+  results.context.version = "1.2";
+  results.context.commit = "abc";
+  results.context.compiler = "gcc";
+  results.context.flags = "-O2";
+  results.context.processor = "some";
+  results.context.date = "2026-01-01T00:00:00Z";
+  results.context.cores = 2;
+  results.study = R"({"schema":"sphverify-study/1","name":"s"})";
+  results.runs = {full_run(), RunRecord{}};
+  Series series;
+  series.case_id = "operator/sine";
+  series.label = "l";
+  series.parameters["phase"] = 0.25;
+  series.formulation.id = "momentum/p-rho2";
+  series.smoothing_exponent = 0.5;
+  series.runs = {1, 0};
+  OrderEntry entry;
+  entry.field = "temperature";
+  entry.region = "all";
+  entry.norm = "l2";
+  entry.observed.order = 1.5;
+  entry.observed.lower = 1.4;
+  entry.observed.upper = 1.6;
+  entry.observed.pairwise = {1.45, std::nullopt};
+  entry.observed.verdict = "asymptotic";
+  entry.observed.reason = "why";
+  entry.levels = {{25, 0.04, 5, 0.1, 0.01, 2.5}, {50, 0.02, 5, std::nullopt, std::nullopt, std::nullopt}};
+  OrderEntry without;
+  without.field = "flux";
+  without.region = "wall";
+  without.norm = "l1";
+  without.observed.verdict = "not-refined";
+  series.orders = {entry, without};
+  series.time_to_error = {{"temperature", "all", "l2", 0.1, 0.2, 3.5},
+                          {"temperature", "all", "l2", 0.01, 0.02, std::nullopt}};
+  results.series = {series};
+  results.skipped = {{"c", "f", "no sense"}};
+  return results;
+}
+
+BOOST_AUTO_TEST_CASE(a_run_with_everything_reads_back_as_the_same_document) {
+  Json const document = to_json(full_run());
+  BOOST_TEST(to_json(read_run(Node(document, "f"))).dump(1) == document.dump(1));
+  Json const empty = to_json(RunRecord{});
+  BOOST_TEST(to_json(read_run(Node(empty, "f"))).dump(1) == empty.dump(1));
+}
+
+BOOST_AUTO_TEST_CASE(what_a_run_holds_survives_the_document) {
+  RunRecord const run = full_run();
+  Json const document = to_json(run);
+  RunRecord const read = read_run(Node(document, "f"));
+  BOOST_TEST((read.parameters == run.parameters));
+  BOOST_TEST((read.formulation == run.formulation));
+  BOOST_TEST((read.discretisation == run.discretisation));
+  BOOST_TEST(read.label == run.label);
+  BOOST_TEST(read.particles == run.particles);
+  BOOST_TEST(read.scene.passes.at("flux") == 20u);
+  BOOST_TEST(read.errors.at("temperature").at("wall").error.linf == 0.6);
+  BOOST_TEST(read.errors.at("flux").at("all").scale.l1 == 1.7);
+  BOOST_TEST(!read.conservation.at("mass").wall_budget_defect.has_value());
+  BOOST_TEST(*read.conservation.at("energy").wall_budget_defect == -0.07);
+  BOOST_TEST(!read.conservation.contains("momentum"));
+  BOOST_TEST(read.cost->pair_interactions == 9007199254740993ull);
+  BOOST_TEST(*read.stability->growing_modes == 6u);
+  BOOST_TEST(!read.stability->largest_stable_step.has_value());
+  BOOST_TEST(*read.integration->time_error_share == 0.003);
+  BOOST_TEST(read.smallest_face_weight->value() == -0.3);
+  BOOST_TEST(read.profile->exact.at("velocity")[1][0] == 3.5);
+  BOOST_TEST(read.history->exchanged[1] == 5.0);
+  BOOST_TEST(read.spectrum[0][1] == 0.5);
+}
+
+BOOST_AUTO_TEST_CASE(results_written_to_a_file_read_back_as_the_same_document) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("results.json");
+  std::string const text = document_text(to_json(full_results()));
+  write_document(path, text);
+  BOOST_TEST(document_text(to_json(read_results(path))) == text);
+}
+
+BOOST_AUTO_TEST_CASE(a_document_holds_the_keys_of_the_contract) {
+  Json const run = to_json(full_results()).at("runs")[0];
+  for (char const* key : {"case",
+                          "parameters",
+                          "formulation",
+                          "work",
+                          "conduction",
+                          "label",
+                          "walls",
+                          "discretisation",
+                          "smoothing_exponent",
+                          "resolution",
+                          "particles",
+                          "spacing",
+                          "smoothing_length",
+                          "status",
+                          "reason",
+                          "scene",
+                          "errors",
+                          "conservation",
+                          "wall_flux",
+                          "cost",
+                          "stability"}) {
+    BOOST_TEST(run.contains(key), key);
+  }
+  BOOST_TEST(run.at("walls") == "off");
+  BOOST_TEST(run.at("parameters").at("dimension").dump() == "2");
+  BOOST_TEST(run.at("conservation").at("momentum").is_null());
+  Json const document = to_json(full_results());
+  BOOST_TEST(document.at("schema") == "sphverify-results/1");
+  for (char const* key : {"context", "study", "runs", "series", "skipped"})
+    BOOST_TEST(document.contains(key));
+  BOOST_TEST(document.at("series")[0].at("orders")[1].at("interval").is_null());
+  BOOST_TEST(document.at("series")[0].at("orders")[1].at("order").is_null());
+}
+
+BOOST_AUTO_TEST_CASE(numbers_that_do_not_exist_are_null) {
+  RunRecord run = full_run();
+  run.errors["temperature"]["all"].error = {nan, infinity, -infinity};
+  run.conservation["energy"].drift = nan;
+  run.wall_flux[0].exact = nan;
+  run.cost->cpu_seconds = nan;
+  run.stability->spectral_abscissa = infinity;
+  run.history->energy[0] = nan;
+  Json const document = to_json(run);
+  for (char const* norm : {"l1", "l2", "linf"})
+    BOOST_TEST(document.at("errors").at("temperature").at("all").at(norm).is_null());
+  BOOST_TEST(document.at("conservation").at("energy").at("drift").is_null());
+  BOOST_TEST(document.at("wall_flux")[0].at("exact").is_null());
+  BOOST_TEST(document.at("cost").at("cpu_seconds").is_null());
+  BOOST_TEST(document.at("stability").at("spectral_abscissa").is_null());
+  BOOST_TEST(document.at("history").at("energy")[0].is_null());
+}
+
+// compare and --resume must be able to read whatever study wrote.
+BOOST_AUTO_TEST_CASE(a_document_with_nulls_for_numbers_can_be_read) {
+  RunRecord run = full_run();
+  run.errors["temperature"]["all"].error.linf = nan;
+  Json const error = to_json(run);
+  BOOST_CHECK_NO_THROW(read_run(Node(error, "f")));
+  run = full_run();
+  run.conservation["energy"].drift = nan;
+  Json const drift = to_json(run);
+  BOOST_CHECK_NO_THROW(read_run(Node(drift, "f")));
+  run = full_run();
+  run.wall_flux[0].exact = infinity;
+  Json const flux = to_json(run);
+  BOOST_CHECK_NO_THROW(read_run(Node(flux, "f")));
+}
+
+BOOST_AUTO_TEST_CASE(a_damaged_results_document_is_refused_naming_the_key) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("results.json");
+  auto const said = [&](Json const& document) {
+    write_text(path, document.dump());
+    return complaint([&] { read_results(path); });
+  };
+  Json document = to_json(full_results());
+  document["runs"][0]["resolution"] = "many";
+  BOOST_TEST(said(document).find("runs[0].resolution: found 'many'") != std::string::npos);
+  document = to_json(full_results());
+  document["series"][0]["runs"] = {0, 7};
+  BOOST_TEST(said(document).find("series[0].runs") != std::string::npos);
+  document = to_json(full_results());
+  document.erase("skipped");
+  BOOST_TEST(said(document).find("skipped: found nothing") != std::string::npos);
+  document["schema"] = "sphverify-study/1";
+  BOOST_TEST(said(document).find("expected sphverify-results/1") != std::string::npos);
+  document = to_json(full_results());
+  document["series"][0]["orders"][0]["interval"] = {1.0};
+  BOOST_TEST(!said(document).empty());  // and no other exception
+}
+
+BOOST_AUTO_TEST_CASE(text_of_a_document_parses_back_to_the_same) {
+  Json const document = to_json(full_results());
+  std::string const text = document_text(document);
+  BOOST_TEST(Json::parse(text).dump() == document.dump());
+  BOOST_TEST(text.back() == '\n');
+  for (Json const& small : {Json(nullptr), Json(0.1), Json::array(), Json::object(), Json("ä\"\\\n"),
+                            Json{{"key \"q\"", std::vector<double>(100, 1.0 / 3.0)}}}) {
+    BOOST_TEST(Json::parse(document_text(small)).dump() == small.dump());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(writing_replaces_a_file_whole_and_leaves_nothing_beside_it) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("a.json");
+  write_document(path, std::string(100'000, 'x'));
+  write_document(path, "short");
+  BOOST_TEST(text_of(path) == "short");
+  std::size_t files = 0;
+  for ([[maybe_unused]] auto const& entry : std::filesystem::directory_iterator(folder.path())) ++files;
+  BOOST_TEST(files == 1u);
+}
+
+BOOST_AUTO_TEST_CASE(a_file_is_the_old_one_or_the_new_one_and_never_half_of_each) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("a.json");
+  write_text(path, "old");
+  // Another name of the old file: written in place it would change too.
+  std::filesystem::create_hard_link(path, folder.file("old.json"));
+  write_document(path, "new");
+  BOOST_TEST(text_of(path) == "new");
+  BOOST_TEST(text_of(folder.file("old.json")) == "old");
+}
+
+BOOST_AUTO_TEST_CASE(a_place_that_cannot_be_written_is_the_user_s_error_and_what_is_there_stays) {
+  TemporaryFolder const folder;
+  std::string const said = complaint([&] { write_document("/no/such/folder/a.json", "text"); });
+  BOOST_TEST(said.find("/no/such/folder/a.json") != std::string::npos, said);
+  BOOST_CHECK_THROW(require_writable("/no/such/folder/a.json"), UserError);
+  // A folder in the way: nothing may be renamed over it.
+  std::string const in_the_way = folder.file("folder");
+  std::filesystem::create_directory(in_the_way);
+  write_text(in_the_way + "/inside", "kept");
+  BOOST_CHECK_THROW(write_document(in_the_way, "text"), UserError);
+  BOOST_CHECK_THROW(require_writable(in_the_way), UserError);
+  BOOST_TEST(text_of(in_the_way + "/inside") == "kept");
+}
+
+BOOST_AUTO_TEST_CASE(asking_whether_a_place_can_be_written_changes_nothing) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("a.json");
+  require_writable(path);
+  BOOST_TEST(!std::filesystem::exists(path));
+  write_text(path, "kept");
+  require_writable(path);
+  BOOST_TEST(text_of(path) == "kept");
+  require_writable("-");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -88,10 +88,11 @@ void fit(std::vector<Point> const& points, ObservedOrder& observed) {
   observed.upper = slope + half_width;
 }
 
-/// Whether every step of refinement gained less than the one before, give or take the agreement of orders.
+/// Whether every step of refinement changed the error less than the one before, give or take the agreement of
+/// orders.
 bool orders_fade(std::vector<Number> const& pairwise) {
   for (std::size_t k = 1; k < pairwise.size(); ++k) {
-    if (*pairwise[k] > *pairwise[k - 1] + agreement) return false;
+    if (std::abs(*pairwise[k]) > std::abs(*pairwise[k - 1]) + agreement) return false;
   }
   return true;
 }

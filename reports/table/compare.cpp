@@ -122,6 +122,7 @@ Cell error_cell(SeriesRow const& row) {
   if (row.verdict == "pre-asymptotic" && row.order)
     return {fmt::format("{} ~{:.1f}", error, *row.order), value};
   if (row.verdict == "diverging") return {error + " diverges", value};
+  if (row.verdict == "not-refined") return {error + " no ladder", value};
   return {error + " " + row.verdict, value};
 }
 

@@ -189,7 +189,9 @@ class RealDocuments(ProgramTest):
 
     def test_rates_that_overflow_are_null_and_their_run_not_ok(self):
         overflow = {"id": "operator/sine", "parameters": {"offset": 1e308}}
-        results = self.study(small_study(cases=[overflow], resolution=[10, 20, 40]))
+        # The differences of brookshaw stay finite; the sums of the other two do not.
+        forms = ["conduction/lucy-flux", "conduction/campbell-flux"]
+        results = self.study(small_study(cases=[overflow], formulations=forms, resolution=[10, 20, 40]))
         self.assert_valid("sphverify-results-1", results)
         self.assertEqual({run["status"] for run in results["runs"]}, {"non-finite"})
 

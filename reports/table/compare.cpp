@@ -122,7 +122,7 @@ Cell error_cell(SeriesRow const& row) {
   if (row.verdict == "pre-asymptotic" && row.order)
     return {fmt::format("{} ~{:.1f}", error, *row.order), value};
   if (row.verdict == "diverging") return {error + " diverges", value};
-  if (row.verdict == "not-refined") return {error + " no ladder", value};
+  if (row.verdict == "not-refined") return {error + " short", value};
   return {error + " " + row.verdict, value};
 }
 
@@ -275,7 +275,7 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
          "\n* best of its column   (off): without wall terms   q: h/dx grows as N^q, else it is fixed\n"
          "1.2±0.1: order with 95% interval   ~1.2: order still changing   floored, diverges: no convergence\n"
          "Errors are relative to the exact field's norm (absolute where that is zero), wall fluxes to the\n"
-         "largest flux. What the verdicts mean: sphverify describe order\n";
+         "largest flux. short: fewer than three levels. The verdicts' rules: sphverify describe order\n";
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {

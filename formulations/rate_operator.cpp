@@ -25,16 +25,17 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   SchemeInfo const& info() const override { return Scheme::info; }
 
-  void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
-                WorkCount& work) override {
+  void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
+                int threads, WorkCount& work) override {
     constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
     ++work.evaluations;
     if constexpr (Scheme::info.two_pass) {
       constexpr BoundaryValueSet first_pass{BoundaryValue::temperature};
       fill(particles, geometry, first_pass, closure, time);
       auto& flux = particles.vector(Field::flux);
-      sweep_pairs<Vector<Dim>>(geometry.neighbours, geometry.weights, particles, threads, flux,
-                               [](auto const& i, auto const& j, auto const& W) { return Scheme::flux_pair(i, j, W); });
+      sweep_pairs<Vector<Dim>>(
+          geometry.neighbours, geometry.weights, particles, threads, flux,
+          [](auto const& i, auto const& j, auto const& W) { return Scheme::flux_pair(i, j, W); });
       for (auto const& contacts : geometry.contacts) {
         sweep_wall<Vector<Dim>>(contacts, particles, flux,
                                 [](auto const& i, auto const& B) { return Scheme::flux_wall(i, B); });
@@ -42,12 +43,11 @@ class SchemeOperator final : public RateOperator<Dim> {
       count(geometry, work);
       fill(particles, geometry, flux_only, closure, time);
     } else {
-      fill(particles, geometry, Scheme::info.boundary, closure, time);
       for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-        if (Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) &&
-            geometry.walls[w].prescribes(BoundaryValue::flux)) {
-          fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, flux_only, closure, time);
-        }
+        bool const takes_flux = Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) &&
+                                geometry.contacts[w].prescribes_flux_only;
+        fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
+                             takes_flux ? flux_only : Scheme::info.boundary, closure, time);
       }
     }
     check(particles, geometry);
@@ -64,18 +64,24 @@ class SchemeOperator final : public RateOperator<Dim> {
   }
 
   std::vector<Vector<Dim>> const& wall_force() const override {
-    if constexpr (std::is_same_v<Value, Vector<Dim>>) return exchanged_;
-    else return no_force_;
+    if constexpr (std::is_same_v<Value, Vector<Dim>>)
+      return exchanged_;
+    else
+      return no_force_;
   }
   std::vector<double> const& wall_power() const override {
-    if constexpr (std::is_same_v<Value, double>) return exchanged_;
-    else return no_power_;
+    if constexpr (std::is_same_v<Value, double>)
+      return exchanged_;
+    else
+      return no_power_;
   }
 
  private:
   static auto& output(Particles<Dim>& particles) {
-    if constexpr (std::is_same_v<Value, double>) return particles.scalar(Field::heating);
-    else return particles.vector(Field::acceleration);
+    if constexpr (std::is_same_v<Value, double>)
+      return particles.scalar(Field::heating);
+    else
+      return particles.vector(Field::acceleration);
   }
 
   static void fill(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, BoundaryValueSet wanted,
@@ -112,8 +118,9 @@ class SchemeOperator final : public RateOperator<Dim> {
 }  // namespace
 
 std::vector<SchemeInfo const*> const& all_scheme_infos() {
-  static std::vector<SchemeInfo const*> const infos = std::apply(
-      [](auto... scheme) { return std::vector<SchemeInfo const*>{&decltype(scheme)::info...}; }, AllSchemes{});
+  static std::vector<SchemeInfo const*> const infos =
+      std::apply([](auto... scheme) { return std::vector<SchemeInfo const*>{&decltype(scheme)::info...}; },
+                 AllSchemes{});
   return infos;
 }
 
@@ -129,8 +136,9 @@ std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id) {
   std::unique_ptr<RateOperator<Dim>> found;
   std::apply(
       [&](auto... scheme) {
-        ((decltype(scheme)::info.id == id ? void(found = std::make_unique<SchemeOperator<decltype(scheme), Dim>>())
-                                          : void()),
+        ((decltype(scheme)::info.id == id
+              ? void(found = std::make_unique<SchemeOperator<decltype(scheme), Dim>>())
+              : void()),
          ...);
       },
       AllSchemes{});

@@ -65,7 +65,8 @@ using FieldErrors = std::map<std::string, RegionError>;
 struct Budget {
   double initial = 0.0, final = 0.0;
   double exchanged = 0.0;     ///< through walls and sources, by the scheme
-  double drift = 0.0;         ///< final - initial - exchanged
+  double drift = 0.0;         ///< final - initial - exchanged: what pairs and time stepping created
+  Number pair_drift;          ///< of it, what the pairs created
   Number wall_budget_defect;  ///< what crossed the walls less what their prescribed values say
 };
 
@@ -73,7 +74,7 @@ struct WallFlux {
   double measured = 0.0;  ///< at the final time, per area, positive inward
   double exact = 0.0;
   double error = 0.0;  ///< measured - exact
-  double scale = 0.0;  ///< largest exact flux anywhere in the domain at that time
+  double scale = 0.0;  ///< largest exact flux along the wall's normal anywhere in the domain at that time
 };
 
 struct Cost {
@@ -131,7 +132,7 @@ struct RunRecord {
   std::string reason;
   SceneRecord scene;
   std::map<std::string, FieldErrors> errors;
-  std::map<std::string, Budget> conservation;  ///< energy; mass and momentum where they can change
+  std::map<std::string, Budget> conservation;  ///< mass, momentum, energy: those that exist
   std::vector<WallFlux> wall_flux;
   std::optional<Cost> cost;
   std::optional<Stability> stability;
@@ -171,6 +172,7 @@ struct TimeToError {
   double relative = 0.0;  ///< target relative to the exact field's norm
   double error = 0.0;     ///< target, absolute
   Number seconds;
+  bool is_bound = false;  ///< the coarsest level reached it already: an upper bound
 };
 
 /// Runs that differ only in resolution (and in the seed of a jittered layout).

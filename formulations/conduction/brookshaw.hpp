@@ -21,7 +21,7 @@ struct Brookshaw {
       .equation = "de_i/dt = sum_j m_j (K_i+K_j)/(rho_i rho_j) (T_i-T_j) (r_ij.grad_i W_ij)/r_ij^2"
                   " + (K_i+K_B)/rho_i (T_B-T_i)/d_i A_i\n"
                   "where the wall prescribes flux only, its term is -2 F_B.S_i/rho_i (ours)",
-      .remarks = "Real, negative spectrum on any particles. Does not converge at fixed h/dx unless h = dx.",
+      .remarks = "Real, negative spectrum on any particles. At fixed h/dx the error tends to a floor, unless h = dx on a lattice.",
       .rate = Rate::conduction_heating,
       .reads = {Field::density, Field::temperature, Field::conductivity},
       .kernel = {KernelWeight::radial},

@@ -18,7 +18,7 @@ struct LucyFlux {
       .source = "Lucy 1977; Campbell 1989, Eqs. 51-53 with 65",
       .equation = "F_i = -K_i [ sum_j (m_j/rho_j) T_j grad_i W_ij + T_B S_i ]\n"
                   "de_i/dt = -(1/rho_i) [ sum_j (m_j/rho_j) F_j.grad_i W_ij + F_B.S_i ]",
-      .remarks = "Not conservative: its wall term delivers about half of the flux at the wall. Sensitive to disorder.",
+      .remarks = "Not conservative: half of a wall's heat enters through its wall term, half as an imbalance of the pairs near it.",
       .rate = Rate::conduction_heating,
       .reads = {Field::density, Field::temperature, Field::conductivity},
       .kernel = {KernelWeight::gradient},

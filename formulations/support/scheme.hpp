@@ -32,7 +32,7 @@ struct SchemeInfo {
   FieldSet reads;                                ///< besides position and mass
   KernelWeightSet kernel;                        ///< what it reads of the kernel at a pair
   BoundaryValueSet boundary;                     ///< what it reads at a wall, prescribed or closed
-  BoundaryValueSet boundary_if_prescribed = {};  ///< what it reads only where the wall prescribes it
+  BoundaryValueSet boundary_if_prescribed = {};  ///< what it reads instead at a wall that prescribes flux only
   InvariantSet conserves = {};                   ///< to round-off between particles
   FieldSet non_negative = {};          ///< fields of which a negative value leaves the scheme undefined
   bool two_pass = false;               ///< has a first pass, which computes the flux

@@ -18,7 +18,7 @@ void add_evaluate(CLI::App& app) {
   sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default");
   sub->footer("Example: sphverify evaluate state.json -o rates.json");
   sub->callback([command] {
-    require_writable(command->output);
+    require_writable(command->output, command->state);
     Json const state = read_json_file(command->state);
     write_document(command->output, document_text(evaluate_state(Node(state, command->state))));
   });

@@ -66,7 +66,9 @@ int main(int argc, char** argv) {
   } catch (UserError const& error) {
     return complain(exit_user_error, error.what());
   } catch (Interrupted const&) {
-    return complain(exit_program_error, "interrupted; finished runs are in the journal, go on with --resume");
+    return complain(
+        exit_program_error,
+        "interrupted; with -o RESULTS.json the finished runs are in its journal: go on with --resume");
   } catch (std::bad_alloc const&) {
     return complain(exit_program_error, "out of memory");
   } catch (std::exception const& error) {

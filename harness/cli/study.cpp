@@ -4,6 +4,7 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/study/run_study.hpp"
+#include "reports/json/results_json.hpp"
 
 namespace sphverify {
 
@@ -26,6 +27,7 @@ void stop_on_signals() {
 }
 
 void study(StudyCommand const& command) {
+  require_writable(command.options.output, command.document);
   Json const json = read_json_file(command.document);
   Study const read = read_study(Node(json, command.document));
   stop_on_signals();

@@ -16,17 +16,20 @@ interval   95%, Student's t on the fit's residuals; with several seeds also from
            is given. Two levels give an order without an interval.
 left out   levels whose error is at the run's `round_off`: they say nothing of the order
 not-refined    fewer than three spacings, or an error that does not change at all (below 1 part in 1e6)
+asymptotic     the interval excludes 0, the last two pairwise orders agree within 0.3, and the last is at least
+               0.8 of their mean (it fades on the way to a floor); with orders of 0.1 to 0.25: pre-asymptotic
 diverging      a run of the finest level failed, or the last step raised the error (pairwise order < -0.25) in
                a ladder whose fitted order is not positive
 floored        the last step changed the error little (pairwise order between -0.25 and 0.25) after steps that
                changed it as little or, one by one, less and less; or the error reached round-off
-asymptotic     the last two pairwise orders agree within 0.3, and the interval excludes 0
 pre-asymptotic anything else)";
 
 namespace {
 
 constexpr double plateau_order = 0.25;
+constexpr double slow_order = 0.1;
 constexpr double agreement = 0.3;
+constexpr double fading = 0.8;
 constexpr double unchanged = 1e-6;
 
 struct Point {
@@ -97,6 +100,18 @@ bool orders_fade(std::vector<Number> const& pairwise) {
   return true;
 }
 
+/// Whether the ladder goes down at one pace: the interval excludes 0, the last two pairwise orders agree, and
+/// the last is not much below their mean, as it would be on the way to a floor.
+bool is_steady(ObservedOrder const& observed) {
+  double sum = 0.0;
+  for (Number const& p : observed.pairwise) sum += *p;
+  double const mean_order = sum / static_cast<double>(observed.pairwise.size());
+  double const last = *observed.pairwise.back();
+  double const before = *observed.pairwise[observed.pairwise.size() - 2];
+  return observed.lower.value_or(0.0) > 0.0 && std::abs(last - before) <= agreement &&
+         last >= fading * mean_order;
+}
+
 void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& points,
            ObservedOrder& observed) {
   auto const say = [&](char const* verdict, char const* reason) {
@@ -108,24 +123,24 @@ void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& poi
   if (levels.size() < 3) return say("not-refined", "fewer than three spacings");
   bool const ends_at_round_off = mean(levels.back().errors) <= levels.back().round_off;
   if (ends_at_round_off) return say("floored", "the error reached round-off");
-  if (points.size() < 3)
-    return say("pre-asymptotic", "fewer than three levels have an error above round-off");
+  if (points.size() < 3) return say("not-refined", "fewer than three levels have an error above round-off");
   auto const [low, high] = std::minmax_element(
       points.begin(), points.end(), [](Point const& a, Point const& b) { return a.log_error < b.log_error; });
   if (high->log_error - low->log_error < unchanged)
     return say("not-refined", "refinement changes nothing at all");
   double const last = observed.pairwise.back().value();
   double const before = observed.pairwise[observed.pairwise.size() - 2].value();
+  if (is_steady(observed) && last >= slow_order) {
+    if (last >= plateau_order) return say("asymptotic", "the last pairwise orders agree and do not fade");
+    return say("pre-asymptotic", "the error goes down steadily, but slowly: order 0.1 to 0.25");
+  }
   if (last < -plateau_order && *observed.order <= 0.0)
     return say("diverging", "the last refinement raised the error");
   if (std::abs(last) < plateau_order &&
       (std::abs(before) < plateau_order || orders_fade(observed.pairwise))) {
     return say("floored", "the last refinement changed the error little");
   }
-  if (std::abs(last - before) <= agreement && observed.lower.value_or(0.0) > 0.0) {
-    return say("asymptotic", "the last pairwise orders agree");
-  }
-  return say("pre-asymptotic", "the pairwise orders still change, or the interval includes 0");
+  return say("pre-asymptotic", "the pairwise orders still change or fade, or the interval includes 0");
 }
 
 }  // namespace

@@ -98,34 +98,44 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
   return entry;
 }
 
-/// When the curve of error over run time first comes down to a target.
-Number seconds_to(double target, std::vector<SeriesLevel> const& levels) {
+/// When the curve of error over run time first comes down to the entry's error; what the coarsest level
+/// reached already is a bound.
+void set_seconds(std::vector<SeriesLevel> const& levels, TimeToError& entry) {
   SeriesLevel const* before = nullptr;
   for (SeriesLevel const& level : levels) {
     if (!level.error || !level.seconds) {
       before = nullptr;
       continue;
     }
-    if (*level.error <= target) {
-      if (before == nullptr || *level.error <= 0.0) return level.seconds;
-      double const part = std::log(*before->error / target) / std::log(*before->error / *level.error);
-      return *before->seconds * std::pow(*level.seconds / *before->seconds, part);
+    if (*level.error <= entry.error) {
+      entry.seconds = level.seconds;
+      entry.is_bound = before == nullptr || *level.error <= 0.0;
+      if (entry.is_bound) return;
+      double const part = std::log(*before->error / entry.error) / std::log(*before->error / *level.error);
+      entry.seconds = *before->seconds * std::pow(*level.seconds / *before->seconds, part);
+      return;
     }
     before = &level;
   }
-  return std::nullopt;
 }
 
 void measure_times(Levels const& levels, OrderEntry const& entry, NormChoice const& norm, Series& series) {
-  RegionError const* finest = find_error(*levels.back().front(), entry.field, entry.region);
+  // The exact field's norm, from the finest run that has one.
+  RegionError const* finest = nullptr;
+  for (auto const& level : levels) {
+    for (RunRecord const* run : level) {
+      if (RegionError const* found = find_error(*run, entry.field, entry.region)) finest = found;
+    }
+  }
   bool const timed = std::any_of(entry.levels.begin(), entry.levels.end(),
                                  [](SeriesLevel const& level) { return level.seconds.has_value(); });
   if (finest == nullptr || !timed) return;
   double const scale = finest->scale.*norm.norm;
   if (!(scale > 0.0)) return;
   for (double const relative : relative_targets) {
-    series.time_to_error.push_back({entry.field, entry.region, entry.norm, relative, relative * scale,
-                                    seconds_to(relative * scale, entry.levels)});
+    series.time_to_error.push_back(
+        {entry.field, entry.region, entry.norm, relative, relative * scale, std::nullopt, false});
+    set_seconds(entry.levels, series.time_to_error.back());
   }
 }
 

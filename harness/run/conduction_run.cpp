@@ -213,8 +213,10 @@ class ConductionRun {
     double const support = 2.0 * particles_.smoothing_length();
     double scale = 0.0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
-      scale = std::max(
-          scale, problem_.vectors.at(Field::flux)(particles_.positions()[i], problem_.final_time).norm());
+      Vector<Dim> const flux =
+          problem_.vectors.at(Field::flux)(particles_.positions()[i], problem_.final_time);
+      for (Wall<Dim> const& wall : problem_.walls)
+        scale = std::max(scale, std::abs(flux.dot(wall.outward_normal)));
     }
     for (std::size_t w = 0; w < problem_.walls.size(); ++w) {
       // The exact flux is averaged over the foot points of the particles that see the wall.
@@ -241,12 +243,13 @@ class ConductionRun {
     budget.final = energy(result.y.data());
     for (std::size_t k = 0; k < walls + 1; ++k) budget.exchanged += result.quadratures[k];
     budget.drift = budget.final - budget.initial - budget.exchanged;
+    budget.pair_drift = result.quadratures[walls + 1];
     auto const prescribed = conduction_.scene().prescribed_wall_power(problem_.final_time);
     bool known = !prescribed.empty();
     double defect = 0.0;
     for (std::size_t w = 0; w < prescribed.size(); ++w) {
       known = known && prescribed[w].has_value();
-      defect += result.quadratures[w] - result.quadratures[walls + 1 + w];
+      defect += result.quadratures[w] - result.quadratures[walls + 2 + w];
     }
     if (known) budget.wall_budget_defect = defect;
     record_.conservation["energy"] = budget;

@@ -24,8 +24,13 @@ void FrozenConduction<Dim>::rate(double time, double const* temperature, double*
 template <int Dim>
 void FrozenConduction<Dim>::quadrature(double time, double const* temperature, double* out) {
   evaluate(time, temperature);
-  for (double const power : scene_.wall_power()) *out++ = power;
+  double pairs = scene_.scheme_power();
+  for (double const power : scene_.wall_power()) {
+    *out++ = power;
+    pairs -= power;
+  }
   *out++ = scene_.source_power(time);
+  *out++ = pairs;
   for (Number const& power : scene_.prescribed_wall_power(time)) *out++ = power.value_or(0.0);
 }
 
@@ -49,7 +54,7 @@ OdeResult FrozenConduction<Dim>::integrate(std::string const& method, double fin
   system.rate = [this](double t, double const* T, double* out) { rate(t, T, out); };
   system.monitor = std::move(monitor);
   if (with_quadratures) {
-    system.quadratures = scene_.problem().walls.size() + 1 + scene_.geometry().contacts.size();
+    system.quadratures = scene_.problem().walls.size() + 2 + scene_.geometry().contacts.size();
     system.quadrature = [this](double t, double const* T, double* out) { quadrature(t, T, out); };
   }
   std::vector<double> initial(system.size);

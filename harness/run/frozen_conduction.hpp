@@ -10,7 +10,7 @@ namespace sphverify {
 
 /// Heat conduction on a scene's particles as an ordinary differential equation for their temperatures
 /// (specific heat 1): dT/dt = scheme + source. Its quadratures are the energies that the walls and the source
-/// give, in the order walls, source, prescribed walls.
+/// give, in the order walls, source, pairs, prescribed walls.
 template <int Dim>
 class FrozenConduction {
  public:

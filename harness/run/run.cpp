@@ -1,6 +1,6 @@
 #include "harness/run/run.hpp"
 
-#include <exception>
+#include <stdexcept>
 
 #include "harness/run/conduction_run.hpp"
 #include "harness/run/rates_run.hpp"
@@ -45,14 +45,10 @@ RunRecord execute(RunSpec const& spec, RunOptions const& options) {
     AnyProblem const problem = spec.scene_case->problem(spec.parameters);
     std::visit([&](auto const& in_dimension) { execute_in_dimension(in_dimension, spec, options, record); },
                problem);
-  } catch (Interrupted const&) {
-    throw;
   } catch (UndefinedRate const& error) {
     record.status = "positivity-lost";
     record.reason = error.what();
-  } catch (std::bad_alloc const&) {
-    throw;
-  } catch (std::exception const& error) {
+  } catch (std::invalid_argument const& error) {
     // The document was checked before; what is left are combinations that make no sense, such as a support
     // wider than a periodic axis.
     record.status = "invalid";

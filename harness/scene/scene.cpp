@@ -169,6 +169,14 @@ std::vector<Number> Scene<Dim>::prescribed_wall_power(double time) {
 }
 
 template <int Dim>
+double Scene<Dim>::scheme_power() const {
+  double power = 0.0;
+  auto const& heating = particles_.scalar(Field::heating);
+  for (std::size_t i = 0; i < particles_.size(); ++i) power += particles_.masses()[i] * heating[i];
+  return power;
+}
+
+template <int Dim>
 double Scene<Dim>::source_power(double time) {
   if (!problem_.source) return 0.0;
   double power = 0.0;

@@ -55,6 +55,9 @@ class Scene {
   /// the scheme knows of no flux there.
   std::vector<Number> prescribed_wall_power(double time);
 
+  /// Power of the scheme's whole rate in the last evaluation [W]: walls and what the pairs fail to balance.
+  double scheme_power() const;
+
   /// Power of the case's source [W].
   double source_power(double time);
 

@@ -23,9 +23,10 @@ std::string mismatch(CaseInfo const& scene_case, FormulationChoice const& formul
   return "";
 }
 
-/// Why a discretisation would only repeat another run of the study; empty if it would not.
+/// Why a discretisation makes no sense here, or would only repeat another run of the study; empty if it does.
 std::string repeats(Study const& study, CaseInfo const& scene_case, FormulationChoice const& formulation,
                     Discretisation const& d) {
+  if (d.density == "continuity") return "continuity density needs particles that move";
   if (!formulation.walls && d.face_weight != study.face_weights.front()) {
     return "face weight " + d.face_weight + " changes nothing without wall terms";
   }

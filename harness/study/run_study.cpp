@@ -65,6 +65,9 @@ void run_study(Study const& study, StudyOptions const& options) {
                                .repeat = study.repeat,
                                .time_budget = study.time_budget,
                                .interrupted = options.interrupted};
+  for (Skipped const& s : expansion.skipped) {
+    fmt::print(stderr, "skipped: {} on {}: {}\n", s.formulation, s.case_id, s.reason);
+  }
   {
     Progress progress(expansion.runs.size(), expansion.runs.size() - todo.size());
     tbb::task_arena arena(jobs_at_a_time(study, options.jobs));

@@ -192,7 +192,9 @@ Study read_study(Node const& document) {
     }
   }
   study.kernels = read_words(find_choice(document, "kernel"), {"cubic-spline"}, "cubic-spline");
-  study.densities = read_words(find_choice(document, "density"), density_words.all(), "given");
+  auto densities = density_words.all();
+  densities.emplace_back("continuity");  // needs motion: listed as skipped
+  study.densities = read_words(find_choice(document, "density"), densities, "given");
   study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), "exact");
   study.closures = read_words(find_choice(document, "closure"), closure_words.all(), "interpolated");
   study.integrators = read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta"}, "bdf");

@@ -146,7 +146,7 @@ Series read_series(Node const& node) {
   for (Node const& t : node.at("time_to_error").elements()) {
     s.time_to_error.push_back({t.at("field").string(), t.at("region").string(), t.at("norm").string(),
                                measured(t.at("relative")), measured(t.at("error")),
-                               optional_number(t.at("seconds"))});
+                               optional_number(t.at("seconds")), t.at("is_bound").boolean()});
   }
   return s;
 }
@@ -180,9 +180,10 @@ RunRecord read_run(Node const& node) {
   }
   for (auto const& [quantity, b] : node.at("conservation").members()) {
     if (b.is_null()) continue;
-    r.conservation[quantity] = {measured(b.at("initial")), measured(b.at("final")),
-                                measured(b.at("exchanged")), measured(b.at("drift")),
-                                optional_number(b.at("wall_budget_defect"))};
+    r.conservation[quantity] = {
+        measured(b.at("initial")),           measured(b.at("final")),
+        measured(b.at("exchanged")),         measured(b.at("drift")),
+        optional_number(b.at("pair_drift")), optional_number(b.at("wall_budget_defect"))};
   }
   for (Node const& w : node.at("wall_flux").elements()) {
     r.wall_flux.push_back({measured(w.at("measured")), measured(w.at("exact")), measured(w.at("error")),

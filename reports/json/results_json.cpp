@@ -43,11 +43,10 @@ Json errors_json(std::map<std::string, FieldErrors> const& errors) {
 Json conservation_json(std::map<std::string, Budget> const& budgets) {
   Json all = {{"mass", nullptr}, {"momentum", nullptr}, {"energy", nullptr}};
   for (auto const& [quantity, b] : budgets) {
-    all[quantity] = {{"initial", number(b.initial)},
-                     {"final", number(b.final)},
-                     {"exchanged", number(b.exchanged)},
-                     {"drift", number(b.drift)},
-                     {"wall_budget_defect", number(b.wall_budget_defect)}};
+    all[quantity] = {
+        {"initial", number(b.initial)},       {"final", number(b.final)},
+        {"exchanged", number(b.exchanged)},   {"drift", number(b.drift)},
+        {"pair_drift", number(b.pair_drift)}, {"wall_budget_defect", number(b.wall_budget_defect)}};
   }
   return all;
 }
@@ -136,7 +135,8 @@ Json to_json(Series const& s) {
                                      {"norm", t.norm},
                                      {"relative", number(t.relative)},
                                      {"error", number(t.error)},
-                                     {"seconds", number(t.seconds)}});
+                                     {"seconds", number(t.seconds)},
+                                     {"is_bound", t.is_bound}});
   }
   return json;
 }

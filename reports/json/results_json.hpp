@@ -22,8 +22,8 @@ Results read_results(std::string const& path);
 /// Throws UserError when the place cannot be written.
 void write_document(std::string const& path, std::string const& text);
 
-/// Throws UserError unless a file can be created where the path says.
-void require_writable(std::string const& path);
+/// Throws UserError unless a file can be created where the path says, and it is not the input.
+void require_writable(std::string const& path, std::string const& input = "");
 
 /// A document as text: one line per small object, numbers in the shortest form that reads back the same.
 std::string document_text(Json const& document);

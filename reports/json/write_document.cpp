@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <iostream>
 #include <stdexcept>
 
@@ -69,8 +70,12 @@ std::string document_text(Json const& document) {
   return text + "\n";
 }
 
-void require_writable(std::string const& path) {
+void require_writable(std::string const& path, std::string const& input) {
   if (path == "-") return;
+  std::error_code none;
+  if (!input.empty() && std::filesystem::equivalent(path, input, none)) {
+    throw UserError(path, "", "the input itself", "another file for the output");
+  }
   if (path.empty())
     throw UserError("output", "", "an empty name", "a writable file, or - for standard output");
   if (is_special(path)) {

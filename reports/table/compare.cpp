@@ -17,6 +17,7 @@ namespace {
 /// 4.9e-3: short enough for a column each.
 std::string scientific(Number const& value) {
   if (!value) return "-";
+  if (!std::isfinite(*value)) return "fails";
   if (*value == 0.0) return "0";
   int exponent = static_cast<int>(std::floor(std::log10(std::abs(*value))));
   double mantissa = *value / std::pow(10.0, exponent);
@@ -134,7 +135,10 @@ Cell wall_flux_cell(SeriesRow const& row) {
 Cell time_cell(SeriesRow const& row, double fastest) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
   if (!row.seconds_to_percent) return {"never", std::nullopt};
-  return {fmt::format("{:.3g}", *row.seconds_to_percent / fastest), row.seconds_to_percent};
+  std::string const ratio = fmt::format("{:.3g}", *row.seconds_to_percent / fastest);
+  // A bound says neither who is fastest nor by how much.
+  if (row.percent_is_bound) return {"<=" + ratio, std::nullopt};
+  return {ratio, row.seconds_to_percent};
 }
 
 TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
@@ -184,10 +188,10 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
 /// Over everything that was run: how often each formulation converged, and how near it came.
 TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   TextTable table;
-  table.title =
-      fmt::format("Summary over all cases and discretisations ({}, region {})", options.norm, options.region);
-  table.header = {"formulation", "ladders",      "converge", "floored",  "diverge",
-                  "fail",        "median error", "worst",    "wall flux"};
+  table.title = fmt::format("Summary over all cases and discretisations ({} error, region {})", options.norm,
+                            options.region);
+  table.header = {"formulation", "ladders", "settled", "unsettled", "floored",
+                  "diverge",     "fail",    "median",  "worst",     "wall flux"};
   std::vector<std::string> labels;
   for (SeriesRow const& row : rows) {
     if (std::find(labels.begin(), labels.end(), row.formulation) == labels.end())
@@ -200,7 +204,7 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
     return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
   };
   for (std::string const& label : labels) {
-    int converges = 0, floored = 0, diverges = 0, fails = 0, ladders = 0;
+    int asymptotic = 0, unsettled = 0, floored = 0, diverges = 0, fails = 0, ladders = 0;
     std::vector<double> errors, fluxes;
     std::string name;
     for (SeriesRow const& row : rows) {
@@ -209,17 +213,20 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
       ++ladders;
       if (!row.failures.empty()) {
         ++fails;
+        errors.push_back(INFINITY);  // no number is worse
         continue;
       }
-      converges += row.verdict == "asymptotic" || row.verdict == "pre-asymptotic";
+      asymptotic += row.verdict == "asymptotic";
+      unsettled += row.verdict == "pre-asymptotic";
       floored += row.verdict == "floored";
       diverges += row.verdict == "diverging";
       if (row.relative_error) errors.push_back(*row.relative_error);
-      if (row.wall_flux_error) fluxes.push_back(*row.wall_flux_error);
+      if (row.wall_flux_error && row.heat_crosses_walls) fluxes.push_back(*row.wall_flux_error);
     }
     table.rows.push_back(
-        {name, fmt::format("{}", ladders), fmt::format("{}", converges), fmt::format("{}", floored),
-         fmt::format("{}", diverges), fmt::format("{}", fails), scientific(median(errors)),
+        {name, fmt::format("{}", ladders), fmt::format("{}", asymptotic), fmt::format("{}", unsettled),
+         fmt::format("{}", floored), fmt::format("{}", diverges), fmt::format("{}", fails),
+         scientific(median(errors)),
          scientific(errors.empty() ? Number() : Number(*std::max_element(errors.begin(), errors.end()))),
          percent(median(fluxes))});
   }
@@ -275,7 +282,9 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
          "\n* best of its column   (off): without wall terms   q: h/dx grows as N^q, else it is fixed\n"
          "1.2±0.1: order with 95% interval   ~1.2: order still changing   floored, diverges: no convergence\n"
          "Errors are relative to the exact field's norm (absolute where that is zero), wall fluxes to the\n"
-         "largest flux. short: fewer than three levels. The verdicts' rules: sphverify describe order\n";
+         "largest flux; the last column is their median where heat crosses walls. settled: asymptotic\n"
+         "unsettled: order still changing   short: fewer than three levels   <=: the coarsest got there\n"
+         "fails: worse than any number   The rules of the verdicts: sphverify describe order\n";
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {

@@ -61,6 +61,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
     }
     for (WallFlux const& wall : run.wall_flux) {
       if (wall.scale > 0.0) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
+      row.heat_crosses_walls = row.heat_crosses_walls || std::abs(wall.exact) > 1e-9 * wall.scale;
     }
     if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
       Budget const& b = energy->second;
@@ -105,6 +106,7 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
   for (TimeToError const& t : series.time_to_error) {
     if (t.field == row.field && t.region == region && t.norm == norm && t.relative == 0.01) {
       row.seconds_to_percent = t.seconds;
+      row.percent_is_bound = t.is_bound;
     }
   }
 }

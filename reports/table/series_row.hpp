@@ -27,7 +27,9 @@ struct SeriesRow {
   Number wall_budget_defect;  ///< the same
   Number seconds;             ///< mean at the finest level
   Number seconds_to_percent;  ///< to 1% of the exact field's norm
-  Number time_error_share;    ///< largest over all runs of the series
+  bool percent_is_bound = false;    ///< the coarsest level reached it already
+  bool heat_crosses_walls = false;  ///< an exact wall flux is not zero
+  Number time_error_share;          ///< largest over all runs of the series
 };
 
 /// The rows of all documents, in their order.

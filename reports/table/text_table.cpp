@@ -37,7 +37,7 @@ std::string render_terminal(TextTable const& table, bool colour) {
   std::string text = table.title + "\n";
   auto const line = [&](auto const& cell) {
     std::string row;
-    for (std::size_t c = 0; c < width.size(); ++c) row += (c == 0 ? " " : "  ") + cell(c);
+    for (std::size_t c = 0; c < width.size(); ++c) row += (c == 0 ? "" : "  ") + cell(c);
     while (row.ends_with(' ')) row.pop_back();
     text += row + "\n";
   };

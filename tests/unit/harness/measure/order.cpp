@@ -102,6 +102,14 @@ BOOST_AUTO_TEST_CASE(a_constant_ladder_is_not_refined) {
   BOOST_TEST(verdict({0.3, 0.3 * (1.0 + 1e-5), 0.3, 0.3}) != "not-refined");
 }
 
+BOOST_AUTO_TEST_CASE(a_slow_but_steady_ladder_is_neither_floored_nor_asymptotic) {
+  BOOST_TEST(verdict({1.0, 0.8706, 0.7579, 0.6552}) == "pre-asymptotic");  // orders 0.20 0.20 0.21
+}
+
+BOOST_AUTO_TEST_CASE(a_ladder_whose_orders_fade_is_not_yet_asymptotic) {
+  BOOST_TEST(verdict({1.0, 0.58, 0.44, 0.367}) == "pre-asymptotic");  // orders 0.79 0.40 0.26
+}
+
 BOOST_AUTO_TEST_CASE(a_plateau_is_floored) {
   BOOST_TEST(verdict({5.6e-3, 5.3e-3, 5.1e-3, 4.9e-3}) == "floored");
   BOOST_TEST(verdict({4.2e-2, 4.6e-2, 5.0e-2, 5.2e-2}) == "floored");  // grows, but ever less

@@ -37,6 +37,8 @@ BOOST_AUTO_TEST_CASE(schemes_that_claim_to_conserve_energy_drift_by_no_more_than
         BOOST_TEST_MESSAGE(scene_case << " " << formulation << " " << walls << ": " << budget.drift << " at "
                                       << allowed);
         BOOST_TEST(std::abs(budget.drift) < 10.0 * allowed, scene_case << " " << formulation);
+        // The pairs' own part is free of the solver's tolerance.
+        BOOST_TEST(std::abs(budget.pair_drift.value()) < 1e-12, scene_case << " " << formulation);
       }
     }
   }
@@ -55,6 +57,17 @@ BOOST_AUTO_TEST_CASE(lucy_flux_creates_energy_on_disorder) {
   Budget const budget = energy_of(choice, &allowed);
   BOOST_TEST(std::abs(budget.drift) > 1e-5);
   BOOST_TEST(std::abs(budget.drift) > 10.0 * allowed);
+}
+
+BOOST_AUTO_TEST_CASE(lucy_flux_gains_the_prescribed_heat_but_half_of_it_as_an_imbalance_of_its_pairs) {
+  // 0.05 = flux x time enters: at large h/dx half of it through the wall term, most of the rest through the pairs.
+  RunChoice choice{.resolution = 400, .smoothing_ratio = 4.8, .parameters = {{"final_time", 0.05}}};
+  choice.scene_case = "conduction/slab-flux";
+  choice.formulation = "conduction/lucy-flux";
+  Budget const budget = energy_of(choice);
+  BOOST_TEST(budget.exchanged == 0.025, tolerance(0.01));
+  BOOST_TEST(budget.pair_drift.value() > 0.02);
+  BOOST_TEST(budget.final - budget.initial == 0.05, tolerance(0.1));
 }
 
 BOOST_AUTO_TEST_CASE(drift_is_what_is_left_of_the_budget) {

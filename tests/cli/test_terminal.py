@@ -58,6 +58,17 @@ def screen(text):
     return lines
 
 
+def terminals_exist():
+    """A bare chroot or container may have none; the tests on one are then skipped, not failed."""
+    try:
+        for end in os.openpty():
+            os.close(end)
+        return True
+    except OSError:
+        return False
+
+
+@unittest.skipUnless(terminals_exist(), "no pseudo-terminal can be opened here")
 class OnATerminal(ProgramTest):
     def start_on_terminal(self, *arguments, streams=("stderr",)):
         ours, theirs = pty.openpty()

@@ -9,14 +9,29 @@
 #include "cases/conduction/slab_dirichlet.hpp"
 #include "cases/conduction/slab_flux.hpp"
 #include "cases/conduction/slab_insulated.hpp"
+#include "cases/coupled/conducting_shock.hpp"
+#include "cases/coupled/hot_wall.hpp"
+#include "cases/coupled/manufactured.hpp"
+#include "cases/hydro/acoustic.hpp"
+#include "cases/hydro/manufactured.hpp"
+#include "cases/hydro/noh.hpp"
+#include "cases/hydro/piston.hpp"
+#include "cases/hydro/riemann.hpp"
+#include "cases/hydro/simple_wave.hpp"
+#include "cases/hydro/uniform.hpp"
+#include "cases/hydro/vacuum_release.hpp"
 #include "cases/operator/polynomial.hpp"
 #include "cases/operator/sine.hpp"
 
 namespace sphverify {
 
-/// The one list of cases: the command line, the contract tests, the documentation and the reports come from it.
-using AllCases = std::tuple<OperatorPolynomial, OperatorSine,                           //
-                            SlabDirichlet, SlabInsulated, SlabFlux, HalfSpaceStep,      //
-                            ManufacturedConduction, BarenblattPulse, MarshakWave>;
+/// The one list of cases: the command line, the contract tests, the documentation and the reports come from
+/// it.
+using AllCases = std::tuple<OperatorPolynomial, OperatorSine,                                               //
+                            SlabDirichlet, SlabInsulated, SlabFlux, HalfSpaceStep,                          //
+                            ManufacturedConduction, BarenblattPulse, MarshakWave,                           //
+                            UniformGas, ManufacturedGas, AcousticWave, SimpleWavePiston,                    //
+                            PistonOfVelocity, PistonOfPressure, RiemannProblem, NohProblem, VacuumRelease,  //
+                            ManufacturedConductingGas, HotWallGas, ConductingShockWave>;
 
 }  // namespace sphverify

@@ -5,6 +5,7 @@
 #include <type_traits>
 
 #include "formulations/all.hpp"
+#include "formulations/density/continuity.hpp"
 #include "formulations/support/sweep.hpp"
 
 namespace sphverify {
@@ -56,13 +57,21 @@ class SchemeOperator final : public RateOperator<Dim> {
     auto const wall = [](auto const& i, auto const& B) { return Scheme::wall(i, B); };
     auto& out = output(particles);
     sweep_pairs<Value>(geometry.neighbours, geometry.weights, particles, threads, out, rate);
+    wall_terms_.clear();
     exchanged_.clear();
     for (auto const& contacts : geometry.contacts) {
-      exchanged_.push_back(sweep_wall<Value>(contacts, particles, out, wall));
+      wall_terms_.push_back(sweep_wall<Value>(contacts, particles, out, wall));
+      exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
     }
     count(geometry, work);
   }
 
+  std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const override {
+    if constexpr (std::is_same_v<Value, Vector<Dim>>)
+      return wall_terms_;
+    else
+      return no_acceleration_;
+  }
   std::vector<Vector<Dim>> const& wall_force() const override {
     if constexpr (std::is_same_v<Value, Vector<Dim>>)
       return exchanged_;
@@ -79,9 +88,18 @@ class SchemeOperator final : public RateOperator<Dim> {
  private:
   static auto& output(Particles<Dim>& particles) {
     if constexpr (std::is_same_v<Value, double>)
-      return particles.scalar(Field::heating);
+      return particles.scalar(output_field(Scheme::info.rate));
     else
-      return particles.vector(Field::acceleration);
+      return particles.vector(output_field(Scheme::info.rate));
+  }
+
+  /// sum_i m_i term_i: what the wall gives to the particles, per time.
+  static Value total(WallContacts<Dim> const& contacts, Particles<Dim> const& particles,
+                     std::vector<Value> const& terms) {
+    Value sum{};
+    if constexpr (!std::is_same_v<Value, double>) sum.setZero();
+    for (std::size_t c = 0; c < terms.size(); ++c) sum += particles.masses()[contacts.particle[c]] * terms[c];
+    return sum;
   }
 
   static void fill(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, BoundaryValueSet wanted,
@@ -110,7 +128,9 @@ class SchemeOperator final : public RateOperator<Dim> {
     }
   }
 
+  std::vector<std::vector<Value>> wall_terms_;  ///< per wall and contact
   std::vector<Value> exchanged_;
+  std::vector<std::vector<Vector<Dim>>> no_acceleration_;
   std::vector<Vector<Dim>> no_force_;
   std::vector<double> no_power_;
 };
@@ -146,6 +166,14 @@ std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id) {
   return found;
 }
 
+template <int Dim>
+std::unique_ptr<RateOperator<Dim>> make_continuity_operator() {
+  return std::make_unique<SchemeOperator<ContinuityDensity, Dim>>();
+}
+
+template std::unique_ptr<RateOperator<1>> make_continuity_operator();
+template std::unique_ptr<RateOperator<2>> make_continuity_operator();
+template std::unique_ptr<RateOperator<3>> make_continuity_operator();
 template std::unique_ptr<RateOperator<1>> make_rate_operator<1>(std::string_view);
 template std::unique_ptr<RateOperator<2>> make_rate_operator<2>(std::string_view);
 template std::unique_ptr<RateOperator<3>> make_rate_operator<3>(std::string_view);

@@ -24,8 +24,9 @@ struct WorkCount {
   std::uint64_t wall_interactions = 0;  ///< contacts visited, summed over passes
 };
 
-/// One scheme in one dimension behind a common face; the identifier is resolved once, the pair loop is compiled for
-/// the scheme. Reads `info().reads`, writes the field of its rate (and `flux`, if it has two passes).
+/// One scheme in one dimension behind a common face; the identifier is resolved once, the pair loop is
+/// compiled for the scheme. Reads `info().reads`, writes the field of its rate (and `flux`, if it has two
+/// passes).
 template <int Dim>
 class RateOperator {
  public:
@@ -38,14 +39,21 @@ class RateOperator {
   virtual void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
                         int threads, WorkCount& work) = 0;
 
-  /// Sum over particles of m_i times the wall's part of the rate in the last evaluation, per wall: the power [W] of
-  /// heating and work, or the force [N] along x, y, z of an acceleration.
+  /// Sum over particles of m_i times the wall's part of the rate in the last evaluation, per wall: the power
+  /// [W] of heating and work, or the force [N] along x, y, z of an acceleration.
   virtual std::vector<Vector<Dim>> const& wall_force() const = 0;
   virtual std::vector<double> const& wall_power() const = 0;
+
+  /// The wall's part of an acceleration in the last evaluation, per wall and contact.
+  virtual std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const = 0;
 };
 
 /// The field that a rate is written to.
-constexpr Field output_field(Rate rate) { return rate == Rate::acceleration ? Field::acceleration : Field::heating; }
+constexpr Field output_field(Rate rate) {
+  return rate == Rate::acceleration ? Field::acceleration
+         : rate == Rate::density    ? Field::density_rate
+                                    : Field::heating;
+}
 
 /// All fields that a scheme needs allocated.
 constexpr FieldSet needed_fields(SchemeInfo const& scheme) {
@@ -63,5 +71,9 @@ SchemeInfo const* find_scheme(std::string_view id);
 /// Throws std::invalid_argument for an unknown identifier.
 template <int Dim>
 std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id);
+
+/// The continuity equation, which is none of the compared schemes.
+template <int Dim>
+std::unique_ptr<RateOperator<Dim>> make_continuity_operator();
 
 }  // namespace sphverify

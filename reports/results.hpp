@@ -27,6 +27,12 @@ struct LayoutChoice {
   bool operator==(LayoutChoice const&) const = default;
 };
 
+/// Coefficients of Monaghan's artificial viscosity; both 0: off.
+struct ViscosityChoice {
+  double alpha = 0.0, beta = 0.0;
+  bool operator==(ViscosityChoice const&) const = default;
+};
+
 struct Discretisation {
   std::string kernel = "cubic-spline";
   std::string density = "given";
@@ -35,6 +41,9 @@ struct Discretisation {
   std::string face_weight = "exact";
   std::string closure = "interpolated";
   std::string integrator = "bdf";
+  std::string smoothing = "uniform";  ///< one smoothing length for all, or `adaptive`: from the density
+  std::string wall_motion = "velocity";
+  ViscosityChoice viscosity;
   bool operator==(Discretisation const&) const = default;
 };
 
@@ -96,9 +105,40 @@ struct Stability {
 /// How time was integrated and what of the error is its fault.
 struct Integration {
   std::string method;
-  double relative_tolerance = 0.0, absolute_tolerance = 0.0;
-  Number time_error;        ///< l2 norm of the change when the tolerance is tightened a hundredfold
+  Number relative_tolerance, absolute_tolerance;  ///< of an adaptive method
+  Number courant_factor;    ///< of a method that steps within limits: part of the usual limits
+  Number time_error;        ///< l2 norm of the change of the leading field when the tolerance is tightened a
+                            ///< hundredfold, or the step halved
   Number time_error_share;  ///< the largest ratio of that change to the space error, over regions and norms
+};
+
+/// What crossed a wall in the scheme, what its prescribed values (a closure's in their place) say, over the
+/// run.
+struct WallBudget {
+  std::vector<double> position;                     ///< of the wall's point at the final time [m]
+  std::vector<double> impulse, prescribed_impulse;  ///< given to the gas, by axis
+  double energy = 0.0, prescribed_energy = 0.0;     ///< given to the gas, as work and heat
+  double heat = 0.0;                                ///< of it, by conduction
+};
+
+/// A shock measured as one.
+struct ShockRecord {
+  double position = 0.0;    ///< exact [m]
+  Number position_error;    ///< where the pressure crosses the middle of the jump, less the exact place [m]
+  Number plateau_pressure;  ///< relative error of the mean over the middle of the plateau behind it
+  Number plateau_density;   ///< likewise
+  Number plateau_velocity;  ///< likewise, absolute [m/s]
+};
+
+/// How a gas moved.
+struct Motion {
+  std::map<std::string, std::uint64_t> steps_bound_by;  ///< step limit -> steps that it bound
+  Number smallest_step, largest_step;                   ///< [s]
+  double lowest_density = 0.0, lowest_pressure = 0.0;   ///< of any particle after any step
+  double volume_defect = 0.0;  ///< volume between the walls less the sum of m/rho, as a part of the volume
+  Number wall_heating;   ///< relative error of the internal energy nearest a wall, the largest; at shocks
+  Number energy_routes;  ///< l2 difference of internal energy to the same run with the other work form,
+                         ///< relative to its l2 norm; if asked for
 };
 
 /// Fields along the particles at the final time.
@@ -107,9 +147,11 @@ struct Profile {
   std::map<std::string, std::vector<std::vector<double>>> computed, exact;  ///< one list per particle
 };
 
-/// Energy budget over time.
+/// Budgets over time.
 struct History {
   std::vector<double> time, energy, exchanged;
+  std::vector<double> momentum;  ///< along the first axis, of a moving gas
+  std::vector<std::vector<double>> wall_impulse_defect, wall_energy_defect;  ///< per wall, over time
 };
 
 /// What was allocated and what ran, by the scene itself.
@@ -132,7 +174,11 @@ struct RunRecord {
   std::string reason;
   SceneRecord scene;
   std::map<std::string, FieldErrors> errors;
-  std::map<std::string, Budget> conservation;  ///< mass, momentum, energy: those that exist
+  std::map<std::string, Budget> conservation;  ///< mass and energy: those that exist
+  std::vector<Budget> momentum;                ///< by axis, of a moving gas
+  std::vector<WallBudget> wall_budgets;        ///< of a moving gas
+  std::vector<ShockRecord> shocks;
+  std::optional<Motion> motion;
   std::vector<WallFlux> wall_flux;
   std::optional<Cost> cost;
   std::optional<Stability> stability;

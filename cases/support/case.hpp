@@ -12,9 +12,14 @@ namespace sphverify {
 
 /// What a case compares, and so which formulations make sense on it.
 enum class CaseKind {
-  rates,      ///< rates on given fields, no time: every scheme alone
-  conduction  ///< heat conduction on particles that stand still: conduction forms
+  rates,       ///< rates on given fields, no time: every scheme alone
+  conduction,  ///< heat conduction on particles that stand still: conduction forms
+  hydro,       ///< moving gas: momentum forms with their work
+  coupled      ///< moving gas that conducts: momentum forms with work and conduction
 };
+
+/// Whether the particles of a case move.
+constexpr bool moves(CaseKind kind) { return kind == CaseKind::hydro || kind == CaseKind::coupled; }
 
 /// What a case says of itself; parameters, domain, walls and initial state are its documentation.
 struct CaseInfo {
@@ -27,6 +32,7 @@ struct CaseInfo {
   std::string initial;
   CaseKind kind;
   std::vector<ParameterSpec> parameters;
+  bool discontinuous = false;  ///< the solution has jumps: viscosity is wanted, and orders are at most 1
 };
 
 /// A case of the list `AllCases` behind a common face.

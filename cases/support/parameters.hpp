@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -31,6 +33,19 @@ class Parameters {
 
   double number(std::string const& name) const { return std::get<double>(values_.at(name)); }
   int integer(std::string const& name) const { return static_cast<int>(number(name)); }
+  std::vector<double> const& list(std::string const& name) const {
+    return std::get<std::vector<double>>(values_.at(name));
+  }
+
+  /// A word, one of those allowed. Throws std::invalid_argument.
+  std::string const& one_of(std::string const& name, std::vector<std::string> const& allowed) const {
+    std::string const& word = std::get<std::string>(values_.at(name));
+    if (std::find(allowed.begin(), allowed.end(), word) != allowed.end()) return word;
+    std::string message = name + " must be one of";
+    for (std::string const& one : allowed) message += " " + one;
+    throw std::invalid_argument(message + ", found " + word);
+  }
+
   std::vector<std::vector<double>> const& table(std::string const& name) const {
     return std::get<std::vector<std::vector<double>>>(values_.at(name));
   }

@@ -17,6 +17,14 @@ using ScalarFunction = std::function<double(Vector<Dim> const& x, double time)>;
 template <int Dim>
 using VectorFunction = std::function<Vector<Dim>(Vector<Dim> const& x, double time)>;
 
+/// A shock of the exact solution that runs along the first axis, and the plateau of constant state behind it.
+struct ShockFront {
+  double position;                      ///< [m]
+  double pressure_ahead;                ///< [Pa]
+  double plateau_lower, plateau_upper;  ///< where the state is constant [m]
+  double density, velocity, pressure;   ///< there
+};
+
 /// A case with its parameters put in: where the fluid is, what its walls prescribe, what drives it, and the
 /// exact solution. The initial state is the exact solution at time 0. It knows nothing of particles or
 /// formulations.
@@ -37,12 +45,24 @@ struct Problem {
   /// Heating per unit mass that the case adds [W/kg]; empty where there is none.
   ScalarFunction<Dim> source;
 
+  /// Force per unit mass that the case adds [m/s^2]; empty where there is none.
+  VectorFunction<Dim> body_force;
+
+  double gamma = 0.0;  ///< ratio of specific heats of the gas, P = (gamma - 1) rho e; 0 where nothing flows
+
+  /// The shocks of the exact solution at a time, for what is measured at shocks; empty where there are none.
+  std::function<std::vector<ShockFront>(double time)> shocks;
+
   /// Exact rates at time 0, for the operator cases.
   VectorFunction<Dim> acceleration;
   std::map<Rate, ScalarFunction<Dim>> heating;
 
-  /// Numbers that describe the exact solution at a time, such as the position of a front.
+  /// Numbers that describe the exact solution at a time, such as the position of a front; `star.pressure` is
+  /// the pressure of an object `star`. NaN where there is none.
   std::map<std::string, std::function<double(double time)>> landmarks;
+
+  /// Why no particles run this case: what it says then is a reference only. Empty: they do.
+  std::string not_run_because;
 
   /// Absolute accuracy that the exact solution promises for its main field.
   double accuracy = 0.0;

@@ -19,7 +19,9 @@ enum class Field {
   conductivity,
   flux,
   acceleration,
-  heating
+  heating,
+  sound_speed,
+  density_rate
 };
 
 using FieldSet = FlagSet<Field>;
@@ -31,7 +33,7 @@ struct FieldInfo {
   std::string_view unit;  ///< in SI; any coherent system of units serves
 };
 
-inline constexpr std::array<FieldInfo, 11> field_infos{{
+inline constexpr std::array<FieldInfo, 13> field_infos{{
     {Field::position, "position", true, "m"},
     {Field::mass, "mass", false, "kg"},
     {Field::density, "density", false, "kg/m^3"},
@@ -43,6 +45,8 @@ inline constexpr std::array<FieldInfo, 11> field_infos{{
     {Field::flux, "flux", true, "W/m^2"},
     {Field::acceleration, "acceleration", true, "m/s^2"},
     {Field::heating, "heating", false, "W/kg"},
+    {Field::sound_speed, "sound_speed", false, "m/s"},
+    {Field::density_rate, "density_rate", false, "kg/(m^3 s)"},
 }};
 
 constexpr FieldInfo const& info(Field field) { return field_infos[static_cast<std::size_t>(field)]; }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formulations/support/cell_grid.hpp"
+#include "formulations/support/smoothing_length.hpp"
 
 namespace sphverify {
 
@@ -24,8 +25,14 @@ struct NeighbourList {
   }
 };
 
+/// Every pair closer than the grid's reach.
 /// Throws std::invalid_argument when two particles are at the same place.
 template <int Dim>
 NeighbourList find_neighbours(CellGrid<Dim> const& grid);
+
+/// The pairs within the support of their own smoothing length. Expects the grid's reach to hold the largest.
+/// Throws std::invalid_argument when two particles are at the same place.
+template <int Dim>
+NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& h);
 
 }  // namespace sphverify

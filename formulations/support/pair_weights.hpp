@@ -4,6 +4,7 @@
 
 #include "formulations/support/flag_set.hpp"
 #include "formulations/support/neighbours.hpp"
+#include "formulations/support/smoothing_length.hpp"
 
 namespace sphverify {
 
@@ -27,6 +28,6 @@ struct PairWeights {
 
 template <int Dim>
 PairWeights<Dim> evaluate_kernel(NeighbourList const& neighbours, VectorField<Dim> const& positions,
-                                 Domain<Dim> const& domain, double smoothing_length, KernelWeightSet wanted);
+                                 Domain<Dim> const& domain, SmoothingLength const& h, KernelWeightSet wanted);
 
 }  // namespace sphverify

@@ -39,7 +39,7 @@ bool Particles<Dim>::has(Field field) const {
 
 template <int Dim>
 std::size_t Particles<Dim>::bytes() const {
-  std::size_t bytes = 0;
+  std::size_t bytes = smoothing_lengths_.capacity() * sizeof(double);
   for (auto const& field : scalars_) bytes += field.capacity() * sizeof(double);
   for (auto const& field : vectors_) bytes += Dim * field.component(0).capacity() * sizeof(double);
   return bytes;

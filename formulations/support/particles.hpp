@@ -45,11 +45,17 @@ template <int Dim>
 class Particles {
  public:
   /// @param count number of particles
-  /// @param smoothing_length h, one for all [m]; must be positive
+  /// @param smoothing_length h, one for all until `vary_smoothing_length` [m]; must be positive
   Particles(std::size_t count, double smoothing_length);
 
   std::size_t size() const { return size_; }
   double smoothing_length() const { return smoothing_length_; }
+
+  /// Gives every particle its own smoothing length, at first the common one.
+  void vary_smoothing_length() { smoothing_lengths_.assign(size_, smoothing_length_); }
+  /// Empty where all have the common one.
+  std::vector<double>& smoothing_lengths() { return smoothing_lengths_; }
+  std::vector<double> const& smoothing_lengths() const { return smoothing_lengths_; }
 
   void allocate(Field field);
   void allocate(FieldSet fields);
@@ -72,6 +78,7 @@ class Particles {
  private:
   std::size_t size_;
   double smoothing_length_;
+  std::vector<double> smoothing_lengths_;
   std::array<std::vector<double>, field_infos.size()> scalars_;
   std::array<VectorField<Dim>, field_infos.size()> vectors_;
 };

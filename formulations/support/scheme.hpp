@@ -11,10 +11,11 @@ namespace sphverify {
 
 /// What a scheme computes, and so what it is compared with.
 enum class Rate {
-  acceleration,       ///< dv/dt, a vector  [m/s^2]
-  internal_work,      ///< de/dt of compression  [W/kg]
-  total_work,         ///< d(e + v^2/2)/dt of pressure forces  [W/kg]
-  conduction_heating  ///< de/dt of heat conduction  [W/kg]
+  acceleration,        ///< dv/dt, a vector  [m/s^2]
+  internal_work,       ///< de/dt of compression  [W/kg]
+  total_work,          ///< d(e + v^2/2)/dt of pressure forces  [W/kg]
+  conduction_heating,  ///< de/dt of heat conduction  [W/kg]
+  density              ///< drho/dt  [kg/(m^Dim s)]; no formulation of its own, see ContinuityDensity
 };
 
 enum class Invariant { momentum, energy };
@@ -29,11 +30,12 @@ struct SchemeInfo {
   std::string_view equation;  ///< in plain text, one line per pass
   std::string_view remarks;   ///< limits, and what is known of its behaviour
   Rate rate;
-  FieldSet reads;                                ///< besides position and mass
-  KernelWeightSet kernel;                        ///< what it reads of the kernel at a pair
-  BoundaryValueSet boundary;                     ///< what it reads at a wall, prescribed or closed
-  BoundaryValueSet boundary_if_prescribed = {};  ///< what it reads instead at a wall that prescribes flux only
-  InvariantSet conserves = {};                   ///< to round-off between particles
+  FieldSet reads;             ///< besides position and mass
+  KernelWeightSet kernel;     ///< what it reads of the kernel at a pair
+  BoundaryValueSet boundary;  ///< what it reads at a wall, prescribed or closed
+  BoundaryValueSet boundary_if_prescribed =
+      {};                              ///< what it reads instead at a wall that prescribes flux only
+  InvariantSet conserves = {};         ///< to round-off between particles
   FieldSet non_negative = {};          ///< fields of which a negative value leaves the scheme undefined
   bool two_pass = false;               ///< has a first pass, which computes the flux
   std::string_view work_partner = {};  ///< of a momentum form: its default energy equation

@@ -53,21 +53,18 @@ void sweep_pairs(NeighbourList const& neighbours, PairWeights<Dim> const& weight
   });
 }
 
-/// out_i += term(i, wall) for every contact; returns sum_i m_i term: what the wall gives to the particles,
-/// per time.
+/// out_i += term(i, wall) for every contact; returns the terms, one per contact.
 template <class Value, int Dim, class Out, class Term>
-Value sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out,
-                 Term const& term) {
+std::vector<Value> sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out,
+                              Term const& term) {
   FieldPointers<Dim> const fields(particles);
-  Value total{};
-  if constexpr (!std::is_same_v<Value, double>) total.setZero();
+  std::vector<Value> terms;
+  terms.reserve(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    ParticleView<Dim> const particle(fields, contacts.particle[c]);
-    Value const value = term(particle, WallView<Dim>(contacts, c));
-    increase(out, contacts.particle[c], value);
-    total += particle.m() * value;
+    terms.push_back(term(ParticleView<Dim>(fields, contacts.particle[c]), WallView<Dim>(contacts, c)));
+    increase(out, contacts.particle[c], terms.back());
   }
-  return total;
+  return terms;
 }
 
 }  // namespace sphverify

@@ -7,6 +7,7 @@
 
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/expects.hpp"
+#include "formulations/support/wall_riemann.hpp"
 
 namespace sphverify {
 
@@ -63,13 +64,14 @@ namespace {
 
 /// -n . sum_j (m_j/rho_j) grad_i W_ij: the face weight that makes a uniform state feel no force along n.
 template <int Dim>
-double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal, double h,
-                            std::vector<double> const& mass, std::vector<double> const& density) {
+double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal,
+                            SmoothingLength const& h, std::vector<double> const& mass,
+                            std::vector<double> const& density) {
   double sum = 0.0;
   grid.for_each_within_reach(
       grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
         if (j == i) return;
-        sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h) * separation.dot(normal);
+        sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h(i, j)) * separation.dot(normal);
       });
   return sum;
 }
@@ -84,9 +86,9 @@ std::size_t walls_within_reach(std::vector<Wall<Dim>> const& walls, Vector<Dim> 
 
 template <int Dim>
 WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
-                                     std::vector<Wall<Dim>> const& all_walls, double h,
-                                     std::vector<double> const& mass, std::vector<double> const& density,
-                                     FaceWeight rule) {
+                                     std::vector<Wall<Dim>> const& all_walls,
+                                     SmoothingLength const& smoothing_length, std::vector<double> const& mass,
+                                     std::vector<double> const& density, FaceWeight rule) {
   VectorField<Dim> const& positions = grid.positions();
   WallContacts<Dim> contacts;
   contacts.outward_normal = wall.outward_normal;
@@ -100,15 +102,17 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
                                   " lies on or outside a wall: its distance is " + std::to_string(d) +
                                   ", expected a positive one");
     }
-    if (d >= grid.reach()) continue;
+    double const h = smoothing_length(i);
+    double const reach = CubicSpline<Dim>::support_ratio * h;
+    if (d >= reach) continue;
     if (foot_density(grid, wall.foot(positions[i]), h, mass) <= 0.0)
       continue;  // alone, and at reach but for round-off
     contacts.particle.push_back(static_cast<std::uint32_t>(i));
     contacts.distance.push_back(d);
     bool const balance =
-        rule == FaceWeight::balanced && walls_within_reach(all_walls, positions[i], grid.reach()) == 1;
+        rule == FaceWeight::balanced && walls_within_reach(all_walls, positions[i], reach) == 1;
     contacts.face_weight.push_back(
-        balance ? balanced_face_weight(grid, i, wall.outward_normal, h, mass, density)
+        balance ? balanced_face_weight(grid, i, wall.outward_normal, smoothing_length, mass, density)
                 : face_weight<Dim>(d, h, rule == FaceWeight::balanced ? FaceWeight::exact : rule));
   }
 
@@ -116,10 +120,12 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
   contacts.interpolation_first.push_back(0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Vector<Dim> const foot = wall.foot(positions[contacts.particle[c]]);
+    double const h = smoothing_length(contacts.particle[c]);
     contacts.foot.set(c, foot);
     double sum = 0.0;
     grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
       double const twice_kernel = 2.0 * CubicSpline<Dim>::value(distance, h);
+      if (twice_kernel == 0.0) return;
       contacts.interpolation_neighbour.push_back(j);
       contacts.interpolation_kernel.push_back(twice_kernel);
       sum += mass[j] * twice_kernel;
@@ -132,36 +138,42 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
 
 namespace {
 
-template <int Dim>
-void interpolate(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Field field,
-                 std::vector<double>& out) {
+/// sum_j (m_j/rho_j) f_j 2W(r_j - r_B) of a contact.
+template <int Dim, class Value, class Values>
+Value kernel_sum(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+                 Value zero, Values const& f) {
   auto const& mass = particles.masses();
   auto const& density = particles.scalar(Field::density);
-  auto const& f = particles.scalar(field);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    double sum = 0.0;
-    for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
-      std::uint32_t const j = contacts.interpolation_neighbour[k];
-      sum += mass[j] / density[j] * f[j] * contacts.interpolation_kernel[k];
-    }
-    out[c] = sum;
+  Value sum = zero;
+  for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
+    std::uint32_t const j = contacts.interpolation_neighbour[k];
+    sum += mass[j] / density[j] * contacts.interpolation_kernel[k] * f(j);
   }
+  return sum;
+}
+
+/// What a closure's interpolation is divided by.
+template <int Dim>
+double divisor(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+               Closure closure) {
+  if (closure != Closure::quotient) return 1.0;
+  return kernel_sum(contacts, c, particles, 0.0, [](std::uint32_t) { return 1.0; });
 }
 
 template <int Dim>
-void interpolate(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Field field,
-                 VectorField<Dim>& out) {
-  auto const& mass = particles.masses();
-  auto const& density = particles.scalar(Field::density);
-  auto const& f = particles.vector(field);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    Vector<Dim> sum = Vector<Dim>::Zero();
-    for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
-      std::uint32_t const j = contacts.interpolation_neighbour[k];
-      sum += (mass[j] / density[j] * contacts.interpolation_kernel[k]) * f[j];
-    }
-    out.set(c, sum);
-  }
+double interpolated(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+                    Closure closure, std::vector<double> const& f) {
+  double const sum = kernel_sum(contacts, c, particles, 0.0, [&](std::uint32_t j) { return f[j]; });
+  return sum / divisor(contacts, c, particles, closure);
+}
+
+template <int Dim>
+Vector<Dim> interpolated(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+                         Closure closure, VectorField<Dim> const& f) {
+  Vector<Dim> const zero = Vector<Dim>::Zero();
+  Vector<Dim> const sum =
+      kernel_sum(contacts, c, particles, zero, [&](std::uint32_t j) -> Vector<Dim> { return f[j]; });
+  return sum / divisor(contacts, c, particles, closure);
 }
 
 /// F_B = -K_B (T_B - T_i)/d_i n where the wall prescribes temperature only.
@@ -188,26 +200,73 @@ void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
   }
 }
 
+/// The gas at a contact's foot point, by the quotient.
 template <int Dim>
-void fill_scalar(WallContacts<Dim>& contacts, ScalarAtWall<Dim> const& prescribed,
-                 Particles<Dim> const& particles, Field field, std::vector<double>& out, double time) {
-  out.resize(contacts.size());
-  if (prescribed) {
-    for (std::size_t c = 0; c < contacts.size(); ++c) out[c] = prescribed(contacts.foot[c], time);
-  } else {
-    interpolate(contacts, particles, field, out);
+struct GasAtFoot {
+  double rho, P;
+  Vector<Dim> v;
+
+  GasAtFoot(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles)
+      : rho(interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::density))),
+        P(interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::pressure))),
+        v(interpolated(contacts, c, particles, Closure::quotient, particles.vector(Field::velocity))) {}
+};
+
+/// P_B of the wave that a wall of prescribed velocity sends into the gas.
+template <int Dim>
+void one_sided_pressure(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                        double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    GasAtFoot<Dim> const gas(contacts, c, particles);
+    double const closing = (gas.v - wall.velocity(contacts.foot[c], time)).dot(contacts.outward_normal);
+    contacts.pressure[c] = pressure_at_wall(gas.rho, gas.P, closing, wall.gamma);
+  }
+}
+
+/// v_B of the wave that a wall of prescribed pressure sends into the gas; along the wall the gas slips.
+template <int Dim>
+void one_sided_velocity(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                        double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    GasAtFoot<Dim> const gas(contacts, c, particles);
+    double const closing =
+        closing_speed_at_wall(gas.rho, gas.P, wall.pressure(contacts.foot[c], time), wall.gamma);
+    contacts.velocity.set(c, gas.v - closing * contacts.outward_normal);
   }
 }
 
 template <int Dim>
-void fill_vector(WallContacts<Dim>& contacts, VectorAtWall<Dim> const& prescribed,
-                 Particles<Dim> const& particles, Field field, VectorField<Dim>& out, double time) {
-  if (out.size() != contacts.size()) out = VectorField<Dim>(contacts.size());
-  if (prescribed) {
-    for (std::size_t c = 0; c < contacts.size(); ++c) out.set(c, prescribed(contacts.foot[c], time));
-  } else {
-    interpolate(contacts, particles, field, out);
+void fill(WallContacts<Dim> const& contacts, ScalarAtWall<Dim> const& prescribed,
+          Particles<Dim> const& particles, Closure closure, Field field, std::vector<double>& out,
+          double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    out[c] = prescribed ? prescribed(contacts.foot[c], time)
+                        : interpolated(contacts, c, particles, closure, particles.scalar(field));
   }
+}
+
+template <int Dim>
+void fill(WallContacts<Dim> const& contacts, VectorAtWall<Dim> const& prescribed,
+          Particles<Dim> const& particles, Closure closure, Field field, VectorField<Dim>& out, double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    out.set(c, prescribed ? prescribed(contacts.foot[c], time)
+                          : interpolated(contacts, c, particles, closure, particles.vector(field)));
+  }
+}
+
+template <int Dim>
+void allocate(WallContacts<Dim>& contacts, BoundaryValueSet wanted) {
+  auto const scalar = [&](BoundaryValue value, std::vector<double>& out) {
+    if (wanted.contains(value)) out.resize(contacts.size());
+  };
+  auto const vector = [&](BoundaryValue value, VectorField<Dim>& out) {
+    if (wanted.contains(value) && out.size() != contacts.size()) out = VectorField<Dim>(contacts.size());
+  };
+  scalar(BoundaryValue::pressure, contacts.pressure);
+  scalar(BoundaryValue::temperature, contacts.temperature);
+  scalar(BoundaryValue::conductivity, contacts.conductivity);
+  vector(BoundaryValue::velocity, contacts.velocity);
+  vector(BoundaryValue::flux, contacts.flux);
 }
 
 }  // namespace
@@ -216,44 +275,54 @@ template <int Dim>
 void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
                           BoundaryValueSet wanted, Closure closure, double time) {
   bool const one_sided = closure == Closure::one_sided;
+  bool const has_gas = wall.gamma > 1.0;
+  bool const fourier_flux =
+      one_sided && !wall.flux && wall.temperature && wanted.contains(BoundaryValue::flux);
+  if (fourier_flux) wanted.insert(BoundaryValue::conductivity);
+  allocate(contacts, wanted);
   if (wanted.contains(BoundaryValue::pressure)) {
-    fill_scalar(contacts, wall.pressure, particles, Field::pressure, contacts.pressure, time);
+    if (one_sided && has_gas && !wall.pressure && wall.velocity) {
+      one_sided_pressure(contacts, wall, particles, time);
+    } else {
+      fill(contacts, wall.pressure, particles, closure, Field::pressure, contacts.pressure, time);
+    }
   }
   if (wanted.contains(BoundaryValue::velocity)) {
-    fill_vector(contacts, wall.velocity, particles, Field::velocity, contacts.velocity, time);
+    if (one_sided && has_gas && !wall.velocity && wall.pressure) {
+      one_sided_velocity(contacts, wall, particles, time);
+    } else {
+      fill(contacts, wall.velocity, particles, closure, Field::velocity, contacts.velocity, time);
+    }
   }
   if (wanted.contains(BoundaryValue::temperature)) {
     if (one_sided && contacts.prescribes_flux_only) {
-      contacts.temperature.resize(contacts.size());
       one_sided_temperature(contacts, wall, particles, time);
     } else {
-      fill_scalar(contacts, wall.temperature, particles, Field::temperature, contacts.temperature, time);
+      fill(contacts, wall.temperature, particles, closure, Field::temperature, contacts.temperature, time);
     }
   }
   if (wanted.contains(BoundaryValue::conductivity)) {
-    fill_scalar(contacts, wall.conductivity, particles, Field::conductivity, contacts.conductivity, time);
+    fill(contacts, wall.conductivity, particles, closure, Field::conductivity, contacts.conductivity, time);
   }
   if (wanted.contains(BoundaryValue::flux)) {
-    if (one_sided && !wall.flux && wall.temperature) {
-      if (contacts.flux.size() != contacts.size()) contacts.flux = VectorField<Dim>(contacts.size());
-      fill_scalar(contacts, wall.conductivity, particles, Field::conductivity, contacts.conductivity, time);
+    if (fourier_flux) {
       one_sided_flux(contacts, particles);
     } else {
-      fill_vector(contacts, wall.flux, particles, Field::flux, contacts.flux, time);
+      fill(contacts, wall.flux, particles, closure, Field::flux, contacts.flux, time);
     }
   }
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                \
-  template struct Wall<Dim>;                                                                      \
-  template struct WallContacts<Dim>;                                                              \
-  template double face_weight<Dim>(double, double, FaceWeight);                                   \
-  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, double,                  \
-                               std::vector<double> const&);                                       \
-  template WallContacts<Dim> find_wall_contacts(                                                  \
-      CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, double,              \
-      std::vector<double> const&, std::vector<double> const&, FaceWeight);                        \
-  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&, \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                   \
+  template struct Wall<Dim>;                                                                         \
+  template struct WallContacts<Dim>;                                                                 \
+  template double face_weight<Dim>(double, double, FaceWeight);                                      \
+  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, double,                     \
+                               std::vector<double> const&);                                          \
+  template WallContacts<Dim> find_wall_contacts(                                                     \
+      CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&, \
+      std::vector<double> const&, std::vector<double> const&, FaceWeight);                           \
+  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,    \
                                      BoundaryValueSet, Closure, double);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

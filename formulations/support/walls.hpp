@@ -8,6 +8,7 @@
 #include "formulations/support/cell_grid.hpp"
 #include "formulations/support/flag_set.hpp"
 #include "formulations/support/particles.hpp"
+#include "formulations/support/smoothing_length.hpp"
 
 namespace sphverify {
 
@@ -25,7 +26,18 @@ enum class FaceWeight {
 /// What to use at a wall for a partner that the scene does not prescribe.
 enum class Closure {
   interpolated,  ///< f_B = 2 sum_j (m_j/rho_j) f_j W(r_j - r_B)  (Campbell 1989, Eqs. 15, 39, 74)
-  one_sided      ///< Fourier's law between particle and foot point, for flux or temperature; ours
+  quotient,      ///< f_B = sum_j (m_j/rho_j) f_j W(r_j - r_B) / sum_j (m_j/rho_j) W(r_j - r_B): right for a
+                 ///< constant, whatever the volumes; ours
+  one_sided  ///< the law that rules between gas and wall: Fourier's between particle and foot point for flux
+             ///< or temperature; for pressure or velocity the wave that a Riemann problem between the gas, by
+             ///< the quotient, and the wall sends into the gas; ours
+};
+
+/// Where a wall stands that prescribes a pressure and goes with the gas.
+enum class WallMotion {
+  velocity,  ///< a material surface: its place is the time integral of its velocity v_B, prescribed or closed
+  mass  ///< where the mass between it and the nearest particle is half that particle's, so that Eq. 13 goes
+        ///< on holding at it; in one dimension only; ours
 };
 
 template <int Dim>
@@ -44,6 +56,12 @@ struct Wall {
   ScalarAtWall<Dim> temperature{};
   ScalarAtWall<Dim> conductivity{};
   VectorAtWall<Dim> flux{};
+
+  /// Where the wall's point is at a time, for a wall that moves on a prescribed path; else it stays, or goes
+  /// with the gas that it pushes.
+  std::function<Vector<Dim>(double time)> path{};
+  double gamma =
+      0.0;  ///< of the gas inside; without one Closure::one_sided interpolates pressure and velocity
 
   /// Distance into the fluid; negative outside.
   double distance(Vector<Dim> const& x) const { return (point - x).dot(outward_normal); }
@@ -75,13 +93,14 @@ struct WallContacts {
   std::size_t bytes() const;
 };
 
-/// Contacts of every particle of the grid with a wall. The grid's reach is the support.
+/// Contacts of every particle of the grid with a wall. Expects the grid's reach to hold the largest support;
+/// a particle's foot point is judged by that particle's smoothing length.
 /// @param density needed by FaceWeight::balanced only, else may be empty
 /// @param all_walls the scene's walls, for FaceWeight::balanced
 /// Throws std::invalid_argument when a particle lies on or outside the wall.
 template <int Dim>
 WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
-                                     std::vector<Wall<Dim>> const& all_walls, double smoothing_length,
+                                     std::vector<Wall<Dim>> const& all_walls, SmoothingLength const& h,
                                      std::vector<double> const& mass, std::vector<double> const& density,
                                      FaceWeight rule);
 

@@ -41,6 +41,8 @@ char const* rate_name(Rate rate) {
       return "d(e + v^2/2)/dt of pressure forces [W/kg]";
     case Rate::conduction_heating:
       return "de/dt of heat conduction [W/kg]";
+    case Rate::density:
+      return "drho/dt [kg/(m^Dim s)]";
   }
   return "";
 }

@@ -98,9 +98,9 @@ State<Dim> read_state(Node const& document) {
   Node const node = document.at("particles");
   std::vector<std::string> keys{"smoothing_length"};
   for (FieldInfo const& field : field_infos) {
-    if (field.field != Field::acceleration && field.field != Field::heating && field.field != Field::flux) {
-      keys.emplace_back(field.name);
-    }
+    constexpr FieldSet computed{Field::acceleration, Field::heating, Field::flux, Field::sound_speed,
+                                Field::density_rate};
+    if (!computed.contains(field.field)) keys.emplace_back(field.name);
   }
   node.require_keys(keys);
   std::size_t const count = node.at("position").elements().size();

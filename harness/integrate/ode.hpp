@@ -15,6 +15,9 @@ struct OdeSystem {
   std::size_t quadratures = 0;  ///< 0: not integrated, and not paid for
   std::function<void(double t, double const* y, double* dydt)> rate;
   std::function<void(double t, double const* y, double* dqdt)> quadrature;
+
+  /// Sizes of typical unknowns and then quadratures, which multiply the absolute tolerance; empty: all 1.
+  std::vector<double> scales;
   ColouredJacobian* jacobian = nullptr;  ///< for the implicit method
 
   /// Called after every step with the quadratures so far; a non-empty answer ends the run, with that reason.
@@ -43,7 +46,24 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
                         Tolerances tolerances);
 
 /// Explicit adaptive Runge-Kutta of order 5 (Dormand & Prince 1980; SUNDIALS ARKODE).
+/// Asks for a quadrature only right after the rate at the same state.
 OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time,
                                 Tolerances tolerances);
+
+/// How a leapfrog steps.
+struct Stepping {
+  std::size_t coordinates;  ///< y[0, coordinates) are places, which move with y[coordinates, 2 coordinates)
+  std::function<double(double t)> largest_step;  ///< asked right after the rate at the step's beginning
+  double smallest_step;                          ///< below it the step has collapsed
+  std::uint64_t most_steps;
+};
+
+/// Leapfrog in its kick-drift-kick form, of second order. What is not a place or a velocity, and every rate
+/// that depends on velocity, takes the value that the old rate predicts, and in the end the mean of the old
+/// and the new rate; one evaluation a step. With that mean the budgets of momentum, and of whatever else is
+/// linear in the unknowns, close to round-off. Asks for a quadrature only right after the rate at the same
+/// state.
+OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, double final_time,
+                             Stepping const& stepping);
 
 }  // namespace sphverify

@@ -37,7 +37,11 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
   void* const erk = solver.get();
   require_sundials(ERKStepSetUserData(erk, &data), "ERKStepSetUserData");
   require_sundials(ERKStepSetTableNum(erk, ARKODE_DORMAND_PRINCE_7_4_5), "ERKStepSetTableNum");
-  require_sundials(ERKStepSStolerances(erk, tolerances.relative, tolerances.absolute), "ERKStepSStolerances");
+  std::vector<double> absolute(y.size(), tolerances.absolute);
+  for (std::size_t k = 0; k < system.scales.size(); ++k) absolute[k] *= system.scales[k];
+  VectorHandle const absolute_tolerances = wrap(absolute.size(), absolute.data(), context);
+  require_sundials(ERKStepSVtolerances(erk, tolerances.relative, absolute_tolerances.get()),
+                   "ERKStepSVtolerances");
   require_sundials(ERKStepSetStopTime(erk, final_time), "ERKStepSetStopTime");
   require_sundials(ERKStepSetErrHandlerFn(
                        erk, [](int, char const*, char const*, char*, void*) {}, nullptr),

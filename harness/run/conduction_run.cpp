@@ -292,7 +292,7 @@ class ConductionRun {
       Clock const clock;
       FrozenConduction<Dim> conduction(problem_, choice_, scale_);
       double const setup = clock.seconds();
-      auto const result = integrate(conduction, record_.integration->relative_tolerance, false);
+      auto const result = integrate(conduction, *record_.integration->relative_tolerance, false);
       double const seconds = clock.seconds();
       double const cpu_seconds = clock.cpu_seconds();
       if (!result) {

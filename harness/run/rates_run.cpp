@@ -31,6 +31,8 @@ double rate_round_off(Rate rate, Particles<Dim> const& particles, double spacing
         term = std::max(term, largest(Field::pressure) * speed / spacing);
       }
       break;
+    case Rate::density:  // no formulation of its own
+      break;
     case Rate::conduction_heating:
       term = largest(Field::conductivity) * largest(Field::temperature) / (spacing * spacing);
       break;

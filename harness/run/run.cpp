@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "harness/run/conduction_run.hpp"
+#include "harness/run/moving_run.hpp"
 #include "harness/run/rates_run.hpp"
 
 namespace sphverify {
@@ -13,6 +14,8 @@ template <int Dim>
 void execute_in_dimension(Problem<Dim> const& problem, RunSpec const& spec, RunOptions const& options,
                           RunRecord& record) {
   SceneChoice const choice{.formulation = spec.formulation.id,
+                           .work = spec.formulation.work,
+                           .conduction = spec.formulation.conduction,
                            .walls = spec.formulation.walls,
                            .discretisation = spec.discretisation,
                            .resolution = spec.resolution,
@@ -27,6 +30,9 @@ void execute_in_dimension(Problem<Dim> const& problem, RunSpec const& spec, RunO
       return run_rates(problem, choice, options, record);
     case CaseKind::conduction:
       return run_conduction(problem, choice, options, record);
+    case CaseKind::hydro:
+    case CaseKind::coupled:
+      return run_moving(problem, choice, options, record);
   }
 }
 

@@ -10,7 +10,7 @@
 namespace sphverify {
 
 /// What a study may ask to be measured.
-enum class Measure { error, conservation, cost, stability, profile, history, spectrum };
+enum class Measure { error, conservation, cost, stability, profile, history, spectrum, energy_routes };
 using MeasureSet = FlagSet<Measure>;
 
 /// One run: a case, a formulation, a discretisation and a resolution.

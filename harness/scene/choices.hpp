@@ -9,14 +9,19 @@
 namespace sphverify {
 
 /// Identifiers of the choices that a discretisation offers, as written in documents.
-inline constexpr Words<DensityRule, 3> density_words{{{{"given", DensityRule::given},
+inline constexpr Words<DensityRule, 4> density_words{{{{"given", DensityRule::given},
                                                        {"summation", DensityRule::summation},
-                                                       {"normalised", DensityRule::normalised}}}};
+                                                       {"normalised", DensityRule::normalised},
+                                                       {"continuity", DensityRule::continuity}}}};
 
 inline constexpr Words<FaceWeight, 3> face_weight_words{
     {{{"campbell", FaceWeight::campbell}, {"exact", FaceWeight::exact}, {"balanced", FaceWeight::balanced}}}};
 
-inline constexpr Words<Closure, 2> closure_words{
-    {{{"interpolated", Closure::interpolated}, {"one-sided", Closure::one_sided}}}};
+inline constexpr Words<Closure, 3> closure_words{{{{"interpolated", Closure::interpolated},
+                                                   {"quotient", Closure::quotient},
+                                                   {"one-sided", Closure::one_sided}}}};
+
+inline constexpr Words<WallMotion, 2> wall_motion_words{
+    {{{"velocity", WallMotion::velocity}, {"mass", WallMotion::mass}}}};
 
 }  // namespace sphverify

@@ -6,19 +6,9 @@
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/sweep.hpp"
 #include "harness/scene/choices.hpp"
+#include "harness/scene/place.hpp"
 
 namespace sphverify {
-
-namespace {
-
-template <int Dim>
-Layout<Dim> make_layout(Domain<Dim> const& domain, SceneChoice const& choice) {
-  LayoutChoice const& layout = choice.discretisation.layout;
-  return layout.id == "jittered" ? jittered(domain, choice.resolution, layout.amplitude, layout.seed)
-                                 : lattice(domain, choice.resolution);
-}
-
-}  // namespace
 
 template <int Dim>
 Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
@@ -34,7 +24,7 @@ Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
 
 template <int Dim>
 void Scene<Dim>::place_particles(SceneChoice const& choice) {
-  Layout<Dim> layout = make_layout(problem_.domain, choice);
+  Layout<Dim> layout = place(problem_.domain, choice.discretisation.layout, choice.resolution);
   ++passes_["layout"];
   spacing_ = layout.spacing;
   particles_ = Particles<Dim>(layout.volumes.size(), choice.smoothing_ratio * spacing_);

@@ -15,6 +15,7 @@ namespace sphverify {
 /// What a scene is built from, besides the problem.
 struct SceneChoice {
   std::string formulation;
+  std::string work{}, conduction{};  ///< partners of a momentum form; empty: none
   bool walls = true;
   Discretisation discretisation;
   int resolution = 0;

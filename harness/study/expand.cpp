@@ -1,5 +1,6 @@
 #include "harness/study/expand.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "formulations/rate_operator.hpp"
@@ -11,32 +12,76 @@ namespace {
 /// Why a formulation cannot run on a case; empty if it can.
 std::string mismatch(CaseInfo const& scene_case, FormulationChoice const& formulation) {
   Rate const rate = find_scheme(formulation.id)->rate;
+  bool const is_momentum = rate == Rate::acceleration;
   switch (scene_case.kind) {
     case CaseKind::rates:
       return formulation.work.empty() && formulation.conduction.empty()
                  ? ""
                  : "an operator case evaluates one form alone, without partners";
     case CaseKind::conduction:
-      if (rate == Rate::acceleration) return "a momentum form has no rate on a conduction case";
+      if (is_momentum) return "a momentum form has no rate on a conduction case";
       return rate == Rate::conduction_heating ? "" : "a work form has no rate on a conduction case";
+    case CaseKind::hydro:
+      if (!is_momentum) return "a moving gas needs a momentum form, with this one as its partner";
+      return formulation.conduction.empty() ? "" : "a gas that conducts no heat takes no conduction form";
+    case CaseKind::coupled:
+      if (!is_momentum) return "a moving gas needs a momentum form, with this one as its partner";
+      return formulation.conduction.empty() ? "a gas that conducts heat needs a conduction form" : "";
   }
   return "";
 }
 
+bool suits(CaseKind kind, std::string const& density) {
+  return density == "given" ? !moves(kind) : density == "continuity" ? moves(kind) : true;
+}
+
+bool integrates(CaseKind kind, std::string const& integrator) {
+  return integrator == "bdf" ? !moves(kind) : integrator == "leapfrog" ? moves(kind) : true;
+}
+
+/// Whether a wall goes with the gas that it pushes.
+bool has_free_wall(AnyProblem const& problem) {
+  return std::visit(
+      [](auto const& p) {
+        return std::any_of(p.walls.begin(), p.walls.end(),
+                           [](auto const& wall) { return wall.pressure && !wall.velocity && !wall.path; });
+      },
+      problem);
+}
+
 /// Why a discretisation makes no sense here, or would only repeat another run of the study; empty if it does.
-std::string repeats(Study const& study, CaseInfo const& scene_case, FormulationChoice const& formulation,
-                    Discretisation const& d) {
-  if (d.density == "continuity") return "continuity density needs particles that move";
+std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem const& problem,
+                    FormulationChoice const& formulation, Discretisation const& d) {
+  bool const moving = moves(scene_case.kind);
+  if (!suits(scene_case.kind, d.density)) {
+    return moving ? "given density is for particles at rest: moving ones carry theirs along"
+                  : "continuity density needs particles that move";
+  }
   if (!formulation.walls && d.face_weight != study.face_weights.front()) {
     return "face weight " + d.face_weight + " changes nothing without wall terms";
   }
   if (!formulation.walls && d.closure != study.closures.front()) {
     return "closure " + d.closure + " changes nothing without wall terms";
   }
-  if (scene_case.kind == CaseKind::rates && d.integrator != study.integrators.front()) {
+  if (scene_case.kind == CaseKind::rates) {
+    if (d.integrator == study.integrators.front()) return "";
     return "integrator " + d.integrator + " changes nothing where no time passes";
   }
+  if (!integrates(scene_case.kind, d.integrator)) {
+    return d.integrator + (moving ? " is for particles at rest" : " is for particles that move");
+  }
+  if (moving && d.wall_motion == "mass") {
+    if (std::get_if<Problem<1>>(&problem) == nullptr) return "wall motion mass is for one dimension";
+    if (study.wall_motions.size() > 1 && (!has_free_wall(problem) || !formulation.walls)) {
+      return "wall motion mass changes nothing where no wall goes with the gas";
+    }
+  }
   return "";
+}
+
+/// Choices that mean nothing to particles at rest are taken once, at their defaults.
+bool is_repeated_at_rest(Study const& study, Discretisation const& d) {
+  return d.smoothing != study.smoothings.front() || d.wall_motion != study.wall_motions.front();
 }
 
 std::string label_of(FormulationChoice const& f) {
@@ -54,9 +99,32 @@ std::vector<Discretisation> discretisations(Study const& study) {
         for (auto const& layout : study.layouts)
           for (auto const& face_weight : study.face_weights)
             for (auto const& closure : study.closures)
-              for (auto const& integrator : study.integrators) {
-                all.push_back({kernel, density, ratio, layout, face_weight, closure, integrator});
-              }
+              for (auto const& integrator : study.integrators)
+                for (auto const& smoothing : study.smoothings)
+                  for (auto const& wall_motion : study.wall_motions) {
+                    all.push_back({kernel,
+                                   density,
+                                   ratio,
+                                   layout,
+                                   face_weight,
+                                   closure,
+                                   integrator,
+                                   smoothing,
+                                   wall_motion,
+                                   {}});
+                  }
+  return all;
+}
+
+/// The viscosities to run a case with; particles at rest have none.
+std::vector<ViscosityChoice> viscosities(Study const& study, CaseInfo const& scene_case) {
+  if (!moves(scene_case.kind)) return {{}};
+  constexpr ViscosityChoice usual{1.0, 2.0};
+  std::vector<ViscosityChoice> all;
+  for (auto const& viscosity : study.viscosities) {
+    ViscosityChoice const choice = viscosity.value_or(scene_case.discontinuous ? usual : ViscosityChoice{});
+    if (std::find(all.begin(), all.end(), choice) == all.end()) all.push_back(choice);
+  }
   return all;
 }
 
@@ -76,22 +144,39 @@ Expansion expand(Study const& study) {
   double const coarsest = study.resolutions.front();
   for (StudyCase const& one : study.cases) {
     CaseInfo const& info = one.scene_case->info;
-    for (FormulationChoice const& formulation : study.formulations) {
-      std::string const label = label_of(formulation);
+    AnyProblem const problem = one.scene_case->problem(one.parameters);
+    std::string const reference_only = std::visit([](auto const& p) { return p.not_run_because; }, problem);
+    for (FormulationChoice const& named : study.formulations) {
+      FormulationChoice formulation = named;
       if (std::string const reason = mismatch(info, formulation); !reason.empty()) {
-        skip_once({info.id, label, reason});
+        skip_once({info.id, label_of(formulation), reason});
         continue;
       }
-      for (Discretisation const& d : discretisations(study)) {
-        if (std::string const reason = repeats(study, info, formulation, d); !reason.empty()) {
+      if (moves(info.kind) && formulation.work.empty())
+        formulation.work = find_scheme(named.id)->work_partner;
+      std::string const label = label_of(formulation);
+      if (!reference_only.empty()) {
+        skip_once({info.id, label, reference_only});
+        continue;
+      }
+      for (Discretisation d : discretisations(study)) {
+        if (!moves(info.kind)) {
+          if (is_repeated_at_rest(study, d)) continue;
+          d.smoothing = "uniform";
+          d.wall_motion = "velocity";
+        }
+        if (std::string const reason = repeats(study, info, problem, formulation, d); !reason.empty()) {
           skip_once({info.id, label, reason});
           continue;
         }
-        for (double const exponent : study.smoothing_exponents) {
-          for (int const resolution : study.resolutions) {
-            double const ratio = d.smoothing_ratio * std::pow(resolution / coarsest, exponent);
-            expansion.runs.push_back(
-                {one.scene_case, one.parameters, formulation, label, d, exponent, resolution, ratio});
+        for (ViscosityChoice const& viscosity : viscosities(study, info)) {
+          d.viscosity = viscosity;
+          for (double const exponent : study.smoothing_exponents) {
+            for (int const resolution : study.resolutions) {
+              double const ratio = d.smoothing_ratio * std::pow(resolution / coarsest, exponent);
+              expansion.runs.push_back(
+                  {one.scene_case, one.parameters, formulation, label, d, exponent, resolution, ratio});
+            }
           }
         }
       }

@@ -14,12 +14,15 @@ std::vector<MeasureWord> const& measure_words() {
   static std::vector<MeasureWord> const words{
       {"error", Measure::error, "norms of the error by field and region, and the flux through each wall"},
       {"conservation", Measure::conservation,
-       "energy budget: drift, exchange through walls, wall budget defect"},
+       "budgets of mass, momentum and energy: drift, exchange through walls, wall budget defect"},
       {"cost", Measure::cost, "wall and processor time (minimum of the repeats), counted work, memory"},
       {"stability", Measure::stability, "eigenvalues of the linearised rate: abscissa, radius, stable step"},
       {"profile", Measure::profile, "computed and exact fields at the final time (stored)"},
-      {"history", Measure::history, "energy budget over time (stored)"},
-      {"spectrum", Measure::spectrum, "all eigenvalues of the linearised rate (stored)"}};
+      {"history", Measure::history, "budgets over time (stored)"},
+      {"spectrum", Measure::spectrum, "all eigenvalues of the linearised rate (stored)"},
+      {"energy-routes", Measure::energy_routes,
+       "how far a moving gas parts from the same run with the other work form (total against internal "
+       "energy)"}};
   return words;
 }
 
@@ -132,8 +135,8 @@ std::optional<Node> find_choice(Node const& document, std::string const& key) {
 }
 
 std::vector<std::string> read_words(std::optional<Node> const& node, std::vector<std::string> const& allowed,
-                                    std::string const& default_word) {
-  if (!node) return {default_word};
+                                    std::vector<std::string> const& default_words) {
+  if (!node) return default_words;
   std::vector<std::string> words;
   for (Node const& element : node->one_or_many()) {
     std::string const word = element.word(allowed);
@@ -156,13 +159,36 @@ std::vector<double> read_numbers(std::optional<Node> const& node, double default
   return values;
 }
 
+/// What particles at rest and particles that move take by default, where the study has either.
+std::vector<std::string> defaults(std::vector<StudyCase> const& cases, std::string const& at_rest,
+                                  std::string const& in_motion) {
+  std::vector<std::string> words;
+  auto const any = [&](bool moving) {
+    return std::any_of(cases.begin(), cases.end(),
+                       [&](StudyCase const& one) { return moves(one.scene_case->info.kind) == moving; });
+  };
+  if (any(false)) words.push_back(at_rest);
+  if (any(true)) words.push_back(in_motion);
+  return words;
+}
+
+std::optional<ViscosityChoice> read_viscosity(Node const& node) {
+  if (node.is_string()) {
+    if (node.word({"auto", "off"}) == "auto") return std::nullopt;
+    return ViscosityChoice{};
+  }
+  node.require_keys({"alpha", "beta"});
+  auto const coefficient = [&](char const* key) { return node.at(key).number_between(0.0, 100.0); };
+  return ViscosityChoice{coefficient("alpha"), coefficient("beta")};
+}
+
 }  // namespace
 
 Study read_study(Node const& document) {
   document.require_schema("sphverify-study/1");
   document.require_keys({"schema", "name", "cases", "formulations", "discretisation", "resolution",
                          "smoothing_exponent", "measure", "threads", "repeat", "closure", "integrator",
-                         "time_budget"});
+                         "viscosity", "smoothing", "wall_motion", "time_budget"});
   Study study;
   study.name = document.at("name").string();
   for (Node const& node : document.at("cases").one_or_many()) {
@@ -183,21 +209,36 @@ Study read_study(Node const& document) {
   }
 
   if (auto const d = document.find("discretisation")) {
-    d->require_keys(
-        {"kernel", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator"});
-    for (char const* key : {"closure", "integrator"}) {
+    d->require_keys({"kernel", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator",
+                     "viscosity", "smoothing", "wall_motion"});
+    for (char const* key : {"closure", "integrator", "viscosity", "smoothing", "wall_motion"}) {
       if (d->find(key) && document.find(key)) {
         document.at(key).complain("this key either here or in discretisation");
       }
     }
   }
-  study.kernels = read_words(find_choice(document, "kernel"), {"cubic-spline"}, "cubic-spline");
-  auto densities = density_words.all();
-  densities.emplace_back("continuity");  // needs motion: listed as skipped
-  study.densities = read_words(find_choice(document, "density"), densities, "given");
-  study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), "exact");
-  study.closures = read_words(find_choice(document, "closure"), closure_words.all(), "interpolated");
-  study.integrators = read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta"}, "bdf");
+  study.kernels = read_words(find_choice(document, "kernel"), {"cubic-spline"}, {"cubic-spline"});
+  study.densities = read_words(find_choice(document, "density"), density_words.all(),
+                               defaults(study.cases, "given", "continuity"));
+  study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), {"exact"});
+  study.closures = read_words(find_choice(document, "closure"), closure_words.all(), {"interpolated"});
+  study.integrators = read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta", "leapfrog"},
+                                 defaults(study.cases, "bdf", "leapfrog"));
+  study.smoothings = read_words(find_choice(document, "smoothing"), {"uniform", "adaptive"}, {"uniform"});
+  study.wall_motions =
+      read_words(find_choice(document, "wall_motion"), wall_motion_words.all(), {"velocity"});
+  if (auto const viscosities = find_choice(document, "viscosity")) {
+    for (Node const& node : viscosities->one_or_many()) {
+      auto const viscosity = read_viscosity(node);
+      if (std::find(study.viscosities.begin(), study.viscosities.end(), viscosity) !=
+          study.viscosities.end()) {
+        node.complain("every value only once");
+      }
+      study.viscosities.push_back(viscosity);
+    }
+  } else {
+    study.viscosities = {std::nullopt};
+  }
   study.smoothing_ratios = read_numbers(find_choice(document, "smoothing_ratio"), 1.2,
                                         [](Node const& node) { return node.positive_number(); });
   if (auto const layouts = find_choice(document, "layout")) {
@@ -258,7 +299,13 @@ Json to_json(Study const& study) {
                             {"layout", layouts},
                             {"face_weight", study.face_weights},
                             {"closure", study.closures},
-                            {"integrator", study.integrators}};
+                            {"integrator", study.integrators},
+                            {"smoothing", study.smoothings},
+                            {"wall_motion", study.wall_motions},
+                            {"viscosity", Json::array()}};
+  for (auto const& viscosity : study.viscosities) {
+    json["discretisation"]["viscosity"].push_back(viscosity ? to_json(*viscosity) : Json("auto"));
+  }
   json["resolution"] = study.resolutions;
   json["smoothing_exponent"] = study.smoothing_exponents;
   json["measure"] = Json::array();

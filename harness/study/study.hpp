@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,8 @@ struct Study {
   std::string name;
   std::vector<StudyCase> cases;
   std::vector<FormulationChoice> formulations;
-  std::vector<std::string> kernels, densities, face_weights, closures, integrators;
+  std::vector<std::string> kernels, densities, face_weights, closures, integrators, smoothings, wall_motions;
+  std::vector<std::optional<ViscosityChoice>> viscosities;  ///< empty: as the case needs
   std::vector<double> smoothing_ratios;
   std::vector<LayoutChoice> layouts;  ///< one entry per seed
   std::vector<double> smoothing_exponents;

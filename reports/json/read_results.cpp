@@ -62,6 +62,11 @@ Discretisation read_discretisation(Node const& node) {
   d.face_weight = node.at("face_weight").string();
   d.closure = node.at("closure").string();
   d.integrator = node.at("integrator").string();
+  d.smoothing = node.at("smoothing").string();
+  d.wall_motion = node.at("wall_motion").string();
+  if (Node const v = node.at("viscosity"); !v.is_string()) {
+    d.viscosity = {v.at("alpha").number(), v.at("beta").number()};
+  }
   return d;
 }
 
@@ -93,9 +98,59 @@ Stability read_stability(Node const& node) {
 }
 
 Integration read_integration(Node const& node) {
-  return {node.at("method").string(), measured(node.at("relative_tolerance")),
-          measured(node.at("absolute_tolerance")), optional_number(node.at("time_error")),
+  return {node.at("method").string(),
+          optional_number(node.at("relative_tolerance")),
+          optional_number(node.at("absolute_tolerance")),
+          optional_number(node.at("courant_factor")),
+          optional_number(node.at("time_error")),
           optional_number(node.at("time_error_share"))};
+}
+
+Budget read_budget(Node const& b) {
+  return {measured(b.at("initial")),           measured(b.at("final")),
+          measured(b.at("exchanged")),         measured(b.at("drift")),
+          optional_number(b.at("pair_drift")), optional_number(b.at("wall_budget_defect"))};
+}
+
+/// Component k of a momentum budget, whose entries are lists.
+Budget read_component(Node const& b, std::size_t k) {
+  auto const at = [&](char const* key) {
+    auto const components = b.at(key).elements();
+    if (k >= components.size()) b.at(key).complain("one number per dimension");
+    return components[k];
+  };
+  return {measured(at("initial")),           measured(at("final")),
+          measured(at("exchanged")),         measured(at("drift")),
+          optional_number(at("pair_drift")), optional_number(at("wall_budget_defect"))};
+}
+
+WallBudget read_wall_budget(Node const& node) {
+  Node const impulse = node.at("impulse");
+  Node const energy = node.at("energy");
+  return {node.at("position").numbers(),      impulse.at("measured").numbers(),
+          impulse.at("prescribed").numbers(), measured(energy.at("measured")),
+          measured(energy.at("prescribed")),  measured(energy.at("heat"))};
+}
+
+ShockRecord read_shock(Node const& node) {
+  Node const plateau = node.at("plateau");
+  return {measured(node.at("position")), optional_number(node.at("position_error")),
+          optional_number(plateau.at("pressure")), optional_number(plateau.at("density")),
+          optional_number(plateau.at("velocity"))};
+}
+
+Motion read_motion(Node const& node) {
+  Motion m;
+  for (auto const& [limit, steps] : node.at("steps_bound_by").members())
+    m.steps_bound_by[limit] = count(steps);
+  m.smallest_step = optional_number(node.at("smallest_step"));
+  m.largest_step = optional_number(node.at("largest_step"));
+  m.lowest_density = measured(node.at("lowest_density"));
+  m.lowest_pressure = measured(node.at("lowest_pressure"));
+  m.volume_defect = measured(node.at("volume_defect"));
+  m.wall_heating = optional_number(node.at("wall_heating"));
+  m.energy_routes = optional_number(node.at("energy_routes"));
+  return m;
 }
 
 std::map<std::string, std::vector<std::vector<double>>> read_lists(Node const& node) {
@@ -180,11 +235,20 @@ RunRecord read_run(Node const& node) {
   }
   for (auto const& [quantity, b] : node.at("conservation").members()) {
     if (b.is_null()) continue;
-    r.conservation[quantity] = {
-        measured(b.at("initial")),           measured(b.at("final")),
-        measured(b.at("exchanged")),         measured(b.at("drift")),
-        optional_number(b.at("pair_drift")), optional_number(b.at("wall_budget_defect"))};
+    if (quantity == "momentum") {
+      for (std::size_t k = 0; k < b.at("initial").elements().size(); ++k)
+        r.momentum.push_back(read_component(b, k));
+    } else {
+      r.conservation[quantity] = read_budget(b);
+    }
   }
+  if (auto const walls = node.find("wall_budgets")) {
+    for (Node const& wall : walls->elements()) r.wall_budgets.push_back(read_wall_budget(wall));
+  }
+  if (auto const shocks = node.find("shocks")) {
+    for (Node const& shock : shocks->elements()) r.shocks.push_back(read_shock(shock));
+  }
+  if (auto const motion = node.find("motion")) r.motion = read_motion(*motion);
   for (Node const& w : node.at("wall_flux").elements()) {
     r.wall_flux.push_back({measured(w.at("measured")), measured(w.at("exact")), measured(w.at("error")),
                            measured(w.at("scale"))});
@@ -202,8 +266,17 @@ RunRecord read_run(Node const& node) {
     p.exact = read_lists(profile->at("exact"));
   }
   if (auto const history = node.find("history")) {
-    r.history = History{history->at("time").numbers(), history->at("energy").numbers(),
-                        history->at("exchanged").numbers()};
+    History& h = r.history.emplace();
+    h.time = history->at("time").numbers();
+    h.energy = history->at("energy").numbers();
+    h.exchanged = history->at("exchanged").numbers();
+    if (auto const momentum = history->find("momentum")) h.momentum = momentum->numbers();
+    for (auto const& [key, lists] : {std::pair{"wall_impulse_defect", &h.wall_impulse_defect},
+                                     std::pair{"wall_energy_defect", &h.wall_energy_defect}}) {
+      if (auto const walls = history->find(key)) {
+        for (Node const& wall : walls->elements()) lists->push_back(wall.numbers());
+      }
+    }
   }
   if (auto const spectrum = node.find("spectrum")) {
     for (Node const& lambda : spectrum->elements()) r.spectrum.push_back(lambda.numbers());

@@ -21,10 +21,16 @@ Json to_json(NormSet const& norms) {
 }
 
 Json to_json(Discretisation const& d) {
-  return {
-      {"kernel", d.kernel},          {"density", d.density},         {"smoothing_ratio", d.smoothing_ratio},
-      {"layout", to_json(d.layout)}, {"face_weight", d.face_weight}, {"closure", d.closure},
-      {"integrator", d.integrator}};
+  return {{"kernel", d.kernel},
+          {"density", d.density},
+          {"smoothing_ratio", d.smoothing_ratio},
+          {"layout", to_json(d.layout)},
+          {"face_weight", d.face_weight},
+          {"closure", d.closure},
+          {"integrator", d.integrator},
+          {"smoothing", d.smoothing},
+          {"wall_motion", d.wall_motion},
+          {"viscosity", to_json(d.viscosity)}};
 }
 
 Json errors_json(std::map<std::string, FieldErrors> const& errors) {
@@ -40,15 +46,52 @@ Json errors_json(std::map<std::string, FieldErrors> const& errors) {
   return fields;
 }
 
-Json conservation_json(std::map<std::string, Budget> const& budgets) {
+Json to_json(Budget const& b) {
+  return {{"initial", number(b.initial)},       {"final", number(b.final)},
+          {"exchanged", number(b.exchanged)},   {"drift", number(b.drift)},
+          {"pair_drift", number(b.pair_drift)}, {"wall_budget_defect", number(b.wall_budget_defect)}};
+}
+
+/// Momentum is a vector: each entry is the list of its components.
+Json conservation_json(RunRecord const& run) {
   Json all = {{"mass", nullptr}, {"momentum", nullptr}, {"energy", nullptr}};
-  for (auto const& [quantity, b] : budgets) {
-    all[quantity] = {
-        {"initial", number(b.initial)},       {"final", number(b.final)},
-        {"exchanged", number(b.exchanged)},   {"drift", number(b.drift)},
-        {"pair_drift", number(b.pair_drift)}, {"wall_budget_defect", number(b.wall_budget_defect)}};
+  for (auto const& [quantity, b] : run.conservation) all[quantity] = to_json(b);
+  for (Budget const& component : run.momentum) {
+    Json const budget = to_json(component);
+    for (auto const& [key, value] : budget.items()) all["momentum"][key].push_back(value);
   }
   return all;
+}
+
+Json to_json(WallBudget const& w) {
+  Json defect = Json::array();
+  for (std::size_t k = 0; k < w.impulse.size(); ++k)
+    defect.push_back(number(w.impulse[k] - w.prescribed_impulse[k]));
+  return {
+      {"position", numbers(w.position)},
+      {"impulse",
+       {{"measured", numbers(w.impulse)}, {"prescribed", numbers(w.prescribed_impulse)}, {"defect", defect}}},
+      {"energy",
+       {{"measured", number(w.energy)},
+        {"prescribed", number(w.prescribed_energy)},
+        {"defect", number(w.energy - w.prescribed_energy)},
+        {"heat", number(w.heat)}}}};
+}
+
+Json to_json(ShockRecord const& s) {
+  return {{"position", number(s.position)},
+          {"position_error", number(s.position_error)},
+          {"plateau",
+           {{"pressure", number(s.plateau_pressure)},
+            {"density", number(s.plateau_density)},
+            {"velocity", number(s.plateau_velocity)}}}};
+}
+
+Json to_json(Motion const& m) {
+  return {{"steps_bound_by", m.steps_bound_by},           {"smallest_step", number(m.smallest_step)},
+          {"largest_step", number(m.largest_step)},       {"lowest_density", number(m.lowest_density)},
+          {"lowest_pressure", number(m.lowest_pressure)}, {"volume_defect", number(m.volume_defect)},
+          {"wall_heating", number(m.wall_heating)},       {"energy_routes", number(m.energy_routes)}};
 }
 
 Json to_json(Cost const& c) {
@@ -74,6 +117,7 @@ Json to_json(Integration const& i) {
   return {{"method", i.method},
           {"relative_tolerance", number(i.relative_tolerance)},
           {"absolute_tolerance", number(i.absolute_tolerance)},
+          {"courant_factor", number(i.courant_factor)},
           {"time_error", number(i.time_error)},
           {"time_error_share", number(i.time_error_share)}};
 }
@@ -167,6 +211,11 @@ Json to_json(LayoutChoice const& layout) {
   return {{"id", layout.id}, {"amplitude", layout.amplitude}, {"seed", layout.seed}};
 }
 
+Json to_json(ViscosityChoice const& v) {
+  if (v == ViscosityChoice{}) return "off";
+  return {{"alpha", v.alpha}, {"beta", v.beta}};
+}
+
 Json to_json(FormulationChoice const& f) {
   Json json = {{"id", f.id}, {"walls", f.walls ? "on" : "off"}};
   if (!f.work.empty()) json["work"] = f.work;
@@ -195,13 +244,20 @@ Json to_json(RunRecord const& r) {
   json["scene"] = {{"fields", r.scene.fields}, {"passes", passes}, {"pass_counts", counts}};
   if (r.smallest_face_weight) json["scene"]["smallest_face_weight"] = number(*r.smallest_face_weight);
   json["errors"] = errors_json(r.errors);
-  json["conservation"] = conservation_json(r.conservation);
+  json["conservation"] = conservation_json(r);
   json["wall_flux"] = Json::array();
   for (WallFlux const& w : r.wall_flux) {
     json["wall_flux"].push_back({{"measured", number(w.measured)},
                                  {"exact", number(w.exact)},
                                  {"error", number(w.error)},
                                  {"scale", number(w.scale)}});
+  }
+  if (r.motion) {
+    json["wall_budgets"] = Json::array();
+    for (WallBudget const& wall : r.wall_budgets) json["wall_budgets"].push_back(to_json(wall));
+    json["shocks"] = Json::array();
+    for (ShockRecord const& shock : r.shocks) json["shocks"].push_back(to_json(shock));
+    json["motion"] = to_json(*r.motion);
   }
   json["cost"] = r.cost ? to_json(*r.cost) : Json(nullptr);
   json["stability"] = r.stability ? to_json(*r.stability) : Json(nullptr);
@@ -211,6 +267,11 @@ Json to_json(RunRecord const& r) {
     json["history"] = {{"time", numbers(r.history->time)},
                        {"energy", numbers(r.history->energy)},
                        {"exchanged", numbers(r.history->exchanged)}};
+    if (r.motion) {
+      json["history"]["momentum"] = numbers(r.history->momentum);
+      json["history"]["wall_impulse_defect"] = r.history->wall_impulse_defect;
+      json["history"]["wall_energy_defect"] = r.history->wall_energy_defect;
+    }
   }
   if (!r.spectrum.empty()) json["spectrum"] = r.spectrum;
   return json;

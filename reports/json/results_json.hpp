@@ -13,6 +13,7 @@ Json to_json(RunRecord const& run);
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters);
 Json to_json(FormulationChoice const& formulation);
 Json to_json(LayoutChoice const& layout);
+Json to_json(ViscosityChoice const& viscosity);
 
 /// Reads back what `to_json` wrote. Throws UserError for anything else.
 RunRecord read_run(Node const& node);

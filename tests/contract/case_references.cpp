@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -67,6 +68,46 @@ bool near_front(Problem<Dim> const& problem, Vector<Dim> const& x, double t) {
          std::abs(std::abs(x[0]) - front->second(t)) < 0.05 * problem.domain.extent()[0];
 }
 
+/// Where a wall's point is: on its path, or carried by the exact flow from its place at the start, which a
+/// fourth-order Runge-Kutta method follows.
+template <int Dim>
+Vector<Dim> place_of(Problem<Dim> const& problem, Wall<Dim> const& wall, double time) {
+  if (wall.path) return wall.path(time);
+  if (problem.gamma == 0.0) return wall.point;
+  // The edge of a fan is no particle's path but its own.
+  if (auto const front = problem.landmarks.find("front"); front != problem.landmarks.end()) {
+    return wall.point + (front->second(time) - front->second(0.0)) * wall.outward_normal;
+  }
+  auto const& v = problem.vectors.at(Field::velocity);
+  Vector<Dim> x = wall.point;
+  // Only what moves it along its normal moves a wall; where the flow has jumps their state holds from the
+  // first.
+  constexpr int steps = 400;
+  double const h = time / steps;
+  auto const speed = [&](Vector<Dim> const& y, double t) -> Vector<Dim> {
+    double const beyond = t < h ? 1e-9 : 0.0;
+    return v(y + beyond * wall.outward_normal, std::max(t, 1e-12)).dot(wall.outward_normal) *
+           wall.outward_normal;
+  };
+  for (int k = 0; k < steps; ++k) {
+    double const t = k * h;
+    Vector<Dim> const a = speed(x, t);
+    Vector<Dim> const b = speed(x + 0.5 * h * a, t + 0.5 * h);
+    Vector<Dim> const c = speed(x + 0.5 * h * b, t + 0.5 * h);
+    Vector<Dim> const d = speed(x + h * c, t + h);
+    x += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+  }
+  return x;
+}
+
+/// Whether a place is between the walls, and as far from them as a stencil reaches.
+template <int Dim>
+bool is_inside(Problem<Dim> const& problem, Vector<Dim> const& x, double t, double reach) {
+  return std::all_of(problem.walls.begin(), problem.walls.end(), [&](Wall<Dim> const& wall) {
+    return (place_of(problem, wall, t) - x).dot(wall.outward_normal) > reach;
+  });
+}
+
 template <class Function>
 double derivative(Function const& f, double h) {
   return (8.0 * (f(h) - f(-h)) - (f(2.0 * h) - f(-2.0 * h))) / (12.0 * h);
@@ -75,7 +116,7 @@ double derivative(Function const& f, double h) {
 BOOST_AUTO_TEST_CASE(every_case_has_a_domain_walls_on_its_sides_and_a_density) {
   for_each_problem([](CaseInfo const& info, auto const& problem) {
     BOOST_TEST((problem.domain.extent().array() > 0.0).all());
-    BOOST_TEST(problem.walls.size() == 2u);
+    if (problem.not_run_because.empty()) BOOST_TEST(problem.walls.size() == 2u);
     for (auto const& wall : problem.walls) {
       BOOST_TEST(std::abs(wall.outward_normal.norm() - 1.0) < 1e-15);
       bool const on_lower = std::abs((wall.point - problem.domain.lower).dot(wall.outward_normal)) < 1e-15;
@@ -86,11 +127,11 @@ BOOST_AUTO_TEST_CASE(every_case_has_a_domain_walls_on_its_sides_and_a_density) {
     for (auto const& x : places(problem)) {
       double const density = problem.scalars.at(Field::density)(x, 0.0);
       BOOST_TEST(density > 0.0);
-      BOOST_TEST(problem.scalars.at(Field::density)(x, problem.final_time) == density);
+      if (!moves(info.kind)) BOOST_TEST(problem.scalars.at(Field::density)(x, problem.final_time) == density);
     }
-    BOOST_TEST(problem.accuracy > 0.0);
+    if (info.id != "hydro/uniform") BOOST_TEST(problem.accuracy > 0.0);
     BOOST_TEST(problem.accuracy < 1e-5);
-    if (info.kind == CaseKind::conduction) BOOST_TEST(problem.final_time > 0.0);
+    if (info.kind != CaseKind::rates) BOOST_TEST(problem.final_time > 0.0);
     if (info.kind == CaseKind::rates) BOOST_TEST(problem.final_time == 0.0);
   });
 }
@@ -129,14 +170,15 @@ BOOST_AUTO_TEST_CASE(every_field_is_finite_at_all_times) {
 
 BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
   std::size_t prescribed = 0;
-  for_each_problem([&]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+  for_each_problem([&]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
     auto const exact = [&](Field field, Vector<Dim> const& x, double t) {
       return problem.scalars.at(field)(x, t);
     };
     for (Wall<Dim> const& wall : problem.walls) {
       for (double const t : times(problem.final_time)) {
-        for (Vector<Dim> const& x : feet(problem, wall)) {
-          double const tolerance = 10.0 * problem.accuracy;
+        for (Vector<Dim> const& start : feet(problem, wall)) {
+          Vector<Dim> const x = start + place_of(problem, wall, t) - wall.point;
+          double const tolerance = 10.0 * problem.accuracy + 1e-14;
           if (wall.temperature) {
             double const T = exact(Field::temperature, x, t);
             BOOST_TEST(std::abs(wall.temperature(x, t) - T) <= tolerance);
@@ -155,7 +197,8 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
             Vector<Dim> const difference = wall.velocity(x, t) - problem.vectors.at(Field::velocity)(x, t);
             BOOST_TEST(difference.norm() <= tolerance);
           }
-          BOOST_TEST((wall.temperature || wall.flux));
+          BOOST_TEST((wall.temperature || wall.flux || moves(info.kind)));
+          BOOST_TEST((wall.pressure || wall.velocity || info.kind == CaseKind::conduction));
         }
       }
     }
@@ -165,6 +208,7 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
 
 BOOST_AUTO_TEST_CASE(conductivity_is_not_negative_and_depends_on_temperature_only_where_it_says_so) {
   for_each_problem([]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    if (!problem.conductivity) return;
     bool depends = false;
     for (Vector<Dim> const& x : places(problem)) {
       for (double const T : {-0.1, 0.0, 0.3, 1.0, 2.5}) {
@@ -180,11 +224,12 @@ BOOST_AUTO_TEST_CASE(conductivity_is_not_negative_and_depends_on_temperature_onl
 
 BOOST_AUTO_TEST_CASE(the_exact_flux_is_minus_conductivity_times_the_gradient_of_temperature) {
   for_each_problem([]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    if (!problem.vectors.contains(Field::flux)) return;
     auto const& T = problem.scalars.at(Field::temperature);
     double const h = 1e-3 * problem.domain.extent()[0];
     for (double const t : times(problem.final_time)) {
       for (Vector<Dim> const& x : places(problem)) {
-        if (near_front(problem, x, t)) continue;
+        if (near_front(problem, x, t) || !is_inside(problem, x, t, 2.0 * h)) continue;
         Vector<Dim> gradient;
         for (int k = 0; k < Dim; ++k)
           gradient[k] = derivative([&](double s) { return T(x + along<Dim>(k, s), t); }, h);
@@ -226,6 +271,84 @@ BOOST_AUTO_TEST_CASE(conduction_cases_solve_their_equation) {
   });
 }
 
+/// Whether all of a stencil lies on one smooth piece of a gas flow: no jump of the fields within it.
+template <int Dim>
+bool is_smooth(Problem<Dim> const& problem, Vector<Dim> const& x, double t, double h, double tau) {
+  auto const& rho = problem.scalars.at(Field::density);
+  auto const& P = problem.scalars.at(Field::pressure);
+  double const centre = rho(x, t);
+  double const pressure = P(x, t);
+  for (double const s : {-2.0 * h, 2.0 * h}) {
+    for (double const dt : {-2.0 * tau, 0.0, 2.0 * tau}) {
+      Vector<Dim> const y = x + along<Dim>(0, s);
+      if (std::abs(rho(y, t + dt) - centre) > 0.05 * centre) return false;
+      if (std::abs(P(y, t + dt) - pressure) > 0.05 * pressure) return false;
+    }
+  }
+  return centre > 0.0;
+}
+
+BOOST_AUTO_TEST_CASE(gas_cases_solve_the_euler_equations_with_conduction_and_their_sources) {
+  for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    if (!moves(info.kind)) return;
+    auto const& rho = problem.scalars.at(Field::density);
+    auto const& P = problem.scalars.at(Field::pressure);
+    auto const& e = problem.scalars.at(Field::internal_energy);
+    auto const& v = problem.vectors.at(Field::velocity);
+    double const h = 2e-4;
+    double const tau = 2e-4 * problem.final_time;
+    std::size_t checked = 0;
+    double largest = 0.0;
+    for (double const t : {0.13 * problem.final_time, 0.5 * problem.final_time, 0.9 * problem.final_time}) {
+      for (Vector<Dim> const& x : places(problem)) {
+        if (!is_smooth(problem, x, t, h, tau) || !is_inside(problem, x, t, 0.01)) continue;
+        BOOST_TEST(std::abs(P(x, t) - (problem.gamma - 1.0) * rho(x, t) * e(x, t)) <= 1e-12 * P(x, t));
+        if (problem.scalars.contains(Field::temperature))
+          BOOST_TEST(std::abs(problem.scalars.at(Field::temperature)(x, t) - e(x, t)) <= 1e-11 * e(x, t));
+        auto const in_time = [&](auto const& f) {
+          return derivative([&](double s) { return f(x, t + s); }, tau);
+        };
+        auto const in_space = [&](auto const& f, int k) {
+          return derivative([&](double s) { return f(x + along<Dim>(k, s), t); }, h);
+        };
+        Vector<Dim> const u = v(x, t);
+        double mass = in_time(rho);
+        double compression = 0.0;
+        double energy = in_time(e);
+        Vector<Dim> momentum;
+        for (int i = 0; i < Dim; ++i) {
+          auto const component = [&](Vector<Dim> const& y, double s) { return v(y, s)[i]; };
+          auto const mass_flux = [&](Vector<Dim> const& y, double s) { return rho(y, s) * v(y, s)[i]; };
+          mass += in_space(mass_flux, i);
+          compression += in_space(component, i);
+          energy += u[i] * in_space(e, i);
+          momentum[i] = in_time(component) + in_space(P, i) / rho(x, t);
+          for (int k = 0; k < Dim; ++k) momentum[i] += u[k] * in_space(component, k);
+          if (problem.vectors.contains(Field::flux)) {
+            auto const heat = [&](Vector<Dim> const& y, double s) {
+              return problem.vectors.at(Field::flux)(y, s)[i];
+            };
+            energy += in_space(heat, i) / rho(x, t);
+          }
+        }
+        energy += P(x, t) / rho(x, t) * compression;
+        if (problem.source) energy -= problem.source(x, t);
+        if (problem.body_force) momentum -= problem.body_force(x, t);
+        double const scale = 1.0 + u.squaredNorm() + e(x, t);
+        BOOST_TEST_CONTEXT("x = " << x.transpose() << ", t = " << t) {
+          BOOST_TEST(std::abs(mass) < 1e-5 * scale * rho(x, t));
+          BOOST_TEST(momentum.norm() < 1e-5 * scale);
+          BOOST_TEST(std::abs(energy) < 1e-5 * scale * scale);
+        }
+        largest = std::max(largest, std::abs(in_time(rho)) + std::abs(compression));
+        ++checked;
+      }
+    }
+    BOOST_TEST(checked > 30u);
+    if (!info.discontinuous && info.id != "hydro/uniform") BOOST_TEST(largest > 1e-5);  // something happens
+  });
+}
+
 BOOST_AUTO_TEST_CASE(operator_cases_give_the_rates_of_their_fields) {
   for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
     if (info.kind != CaseKind::rates) return;
@@ -260,6 +383,7 @@ BOOST_AUTO_TEST_CASE(operator_cases_give_the_rates_of_their_fields) {
 
 BOOST_AUTO_TEST_CASE(initial_states_that_are_called_uniform_or_zero_are) {
   for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    if (!problem.scalars.contains(Field::temperature)) return;
     auto const& T = problem.scalars.at(Field::temperature);
     auto const all = places(problem);
     if (info.initial == "uniform" || info.initial == "T = 0") {

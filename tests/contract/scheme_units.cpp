@@ -40,6 +40,10 @@ double scale(Field field, Units const& u) {
       return speed / u.time;
     case Field::heating:
       return speed * speed / u.time;
+    case Field::sound_speed:
+      return speed;
+    case Field::density_rate:
+      return u.mass / volume / u.time;
   }
   return 1.0;
 }
@@ -57,6 +61,7 @@ Scene<Dim> in_units(Scene<Dim> const& scene, Units const& u) {
   scaled.domain.upper *= u.length;
   scaled.particles.allocate(all_fields);
   for (FieldInfo const& field : field_infos) {
+    if (!scene.particles.has(field.field)) continue;
     double const factor = scale<Dim>(field.field, u);
     for (std::size_t i = 0; i < n; ++i) {
       if (field.is_vector) {

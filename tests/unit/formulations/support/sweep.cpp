@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_identical_bit_for_bit_at_any_number_of_t
   }
 }
 
-BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_what_it_gave) {
+BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_its_terms) {
   Scene<1> const scene = random_scene<1>(1, 20);
   PairGeometry<1> const geometry = geometry_of(scene, {KernelWeight::gradient});
   std::vector<double> out(20, 99.0);
@@ -47,15 +47,13 @@ BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_what_
     BOOST_TEST(out[i] == static_cast<double>(geometry.neighbours.row(i).size()));
   }
   std::vector<double> const pairs_only = out;
-  double expected = 0.0;
-  double const given = sweep_wall<double>(geometry.contacts[0], scene.particles, out,
-                                          [](auto const&, auto const& B) { return B.d(); });
+  std::vector<double> const terms = sweep_wall<double>(geometry.contacts[0], scene.particles, out,
+                                                       [](auto const&, auto const& B) { return B.d(); });
   for (std::size_t c = 0; c < geometry.contacts[0].size(); ++c) {
     std::uint32_t const i = geometry.contacts[0].particle[c];
     BOOST_TEST(out[i] == pairs_only[i] + geometry.contacts[0].distance[c]);
-    expected += scene.particles.masses()[i] * geometry.contacts[0].distance[c];
+    BOOST_TEST(terms[c] == geometry.contacts[0].distance[c]);
   }
-  BOOST_TEST(given == expected, boost::test_tools::tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,7 +13,7 @@ using boost::test_tools::tolerance;
 Budget energy_of(RunChoice const& choice, double* solver_tolerance = nullptr) {
   RunRecord const record = run(choice, {Measure::error, Measure::conservation});
   BOOST_TEST_REQUIRE(record.status == "ok", record.reason);
-  if (solver_tolerance) *solver_tolerance = record.integration->absolute_tolerance;
+  if (solver_tolerance) *solver_tolerance = *record.integration->absolute_tolerance;
   return record.conservation.at("energy");
 }
 

@@ -27,8 +27,9 @@ RunRecord full_run() {
   r.parameters["modes"] = std::vector<std::vector<double>>{{1.0, 0.1}, {3.0, 0.7}};
   r.formulation = {"momentum/p-rho2", "work/total-energy", "conduction/brookshaw", false};
   r.label = "a label with \"quotes\", ä and\nlines";
-  r.discretisation = {"cubic-spline", "summation", 1.1,          {"jittered", 0.15, 12345678901234ull},
-                      "balanced",     "one-sided", "runge-kutta"};
+  r.discretisation = {"cubic-spline", "summation", 1.1,           {"jittered", 0.15, 12345678901234ull},
+                      "balanced",     "one-sided", "runge-kutta", "adaptive",
+                      "mass",         {1.5, 2.5}};
   r.smoothing_exponent = 0.5;
   r.resolution = 40;
   r.particles = 1600;
@@ -65,14 +66,14 @@ RunRecord full_run() {
   cost.peak_bytes = 47;
   r.cost = cost;
   r.stability = Stability{5.1, 5.2, std::nullopt, 6, "a mode grows"};
-  r.integration = Integration{"bdf", 1e-6, 2e-6, 7e-9, 0.003};
+  r.integration = Integration{"bdf", 1e-6, 2e-6, 0.5, 7e-9, 0.003};
   r.smallest_face_weight = Number(-0.3);
   Profile profile;
   profile.position = {{0.1, 0.2}, {0.3, 0.4}};
   profile.computed["velocity"] = {{1.0, 2.0}, {3.0, 4.0}};
   profile.exact["velocity"] = {{1.5, 2.5}, {3.5, 4.5}};
   r.profile = profile;
-  r.history = History{{0.0, 1.0}, {2.0, 3.0}, {4.0, 5.0}};
+  r.history = History{{0.0, 1.0}, {2.0, 3.0}, {4.0, 5.0}, {}, {}, {}};
   r.spectrum = {{-1.0, 0.5}, {-1.0, -0.5}};
   return r;
 }

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "cases/exact/noh.hpp"
+#include "cases/hydro/gas_problem.hpp"
+#include "cases/support/case.hpp"
+
+namespace sphverify {
+
+/// Cold gas that runs into a wall, an axis or a point.
+struct NohProblem {
+  static CaseInfo info() {
+    return {
+        .id = "hydro/noh",
+        .title = "Noh's problem: cold gas that runs into a wall",
+        .source = "Noh, J. Comput. Phys. 72 (1987) 78",
+        .equation =
+            "behind the shock at r = (gamma-1) t/2: rho = ((gamma+1)/(gamma-1))^dimension, v = 0, e = 1/2",
+        .domain = "0 <= x <= 1 (in 2D and 3D a quadrant and an octant, so far a reference only)",
+        .walls = "left: at rest; right: a piston that moves with the gas, v = -1",
+        .initial = "density 1, velocity -1, pressure 0",
+        .kind = CaseKind::hydro,
+        .parameters = {{"dimension", "", "1 planar, 2 cylindrical, 3 spherical", 1.0, true},
+                       {"gamma", "", "ratio of specific heats", 5.0 / 3.0},
+                       {"final_time", "s", "end of the run", 0.6}},
+        .discontinuous = true};
+  }
+  static AnyProblem problem(Parameters const& p) {
+    return in_dimension(p.integer("dimension"), [&]<int Dim>() -> AnyProblem {
+      double const gamma = p.number("gamma");
+      exact::Noh const noh(Dim, gamma);
+      double const final_time = p.number("final_time");
+      require_before(final_time, 1.0 / (1.0 + noh.shock_speed()), "the piston reaches the shock");
+      Problem<Dim> problem;
+      if constexpr (Dim == 1) {
+        problem = gas_problem([noh](double x, double t) { return noh.at(std::max(x, 0.0), t); },
+                              slab<1>(0.0, 1.0), gamma);
+        prescribe_velocity(problem.walls[0], 0.0);
+        prescribe_velocity(problem.walls[1], -1.0);
+        problem.shocks = [noh](double t) -> std::vector<ShockFront> {
+          double const place = noh.shock_speed() * t;
+          exact::GasState const behind = noh.at(0.5 * place, t);
+          return {{place, 0.0, 0.0, place, behind.density, 0.0, behind.pressure}};
+        };
+      } else {
+        problem.domain = {Vector<Dim>::Zero(), Vector<Dim>::Ones(), {}};
+        problem.gamma = gamma;
+        auto const scalar = [noh](double exact::GasState::*part) -> ScalarFunction<Dim> {
+          return [noh, part](Vector<Dim> const& x, double t) { return noh.at(x.norm(), t).*part; };
+        };
+        problem.scalars[Field::density] = scalar(&exact::GasState::density);
+        problem.scalars[Field::pressure] = scalar(&exact::GasState::pressure);
+        problem.scalars[Field::internal_energy] = [noh, gamma](Vector<Dim> const& x, double t) {
+          exact::GasState const s = noh.at(x.norm(), t);
+          return s.pressure / ((gamma - 1.0) * s.density);
+        };
+        problem.vectors[Field::velocity] = [noh](Vector<Dim> const& x, double t) -> Vector<Dim> {
+          return noh.at(x.norm(), t).velocity * x.normalized();
+        };
+        problem.not_run_because = "in 2D and 3D it is a reference only";
+      }
+      problem.landmarks["shock"] = [noh](double t) { return noh.shock_speed() * t; };
+      problem.accuracy = noh.accuracy();
+      problem.final_time = final_time;
+      return problem;
+    });
+  }
+};
+
+}  // namespace sphverify

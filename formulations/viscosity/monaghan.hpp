@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "formulations/support/pair_geometry.hpp"
+
+namespace sphverify {
+
+/// Monaghan's artificial viscosity (Monaghan & Gingold, J. Comput. Phys. 52 (1983) 374; Monaghan, Annu. Rev.
+/// Astron. Astrophys. 30 (1992) 543, Eqs. 4.1-4.3).
+///
+///   Pi_ij = (-alpha c_ij mu_ij + beta mu_ij^2)/rho_ij where a pair approaches, else 0
+///   mu_ij = h_ij v_ij.r_ij/(r_ij^2 + 0.01 h_ij^2)
+///
+/// with the means c_ij, rho_ij, h_ij of a pair.  [mu] = m/s, Pi in Pa/(kg/m^Dim)^2.
+struct MonaghanViscosity {
+  double alpha = 0.0;  ///< weight of the term linear in the approach
+  double beta = 0.0;   ///< weight of the quadratic one
+
+  bool is_on() const { return alpha != 0.0 || beta != 0.0; }
+
+  /// @param approach v_ij.r_ij, negative where the two approach  [m^2/s]
+  static double mu(double approach, double squared_distance, double h) {
+    return approach < 0.0 ? h * approach / (squared_distance + 0.01 * h * h) : 0.0;
+  }
+  double pressure(double mu, double c, double rho) const { return (-alpha * c + beta * mu) * mu / rho; }
+};
+
+/// What viscosity adds to a gas, and what walls took part in.
+template <int Dim>
+struct ViscousRates {
+  VectorField<Dim> acceleration;        ///< [m/s^2]
+  std::vector<double> heating;          ///< of internal energy [W/kg]
+  std::vector<double> largest_mu;       ///< largest |mu_ij| of each particle, for the step limit [m/s]
+  std::vector<Vector<Dim>> wall_force;  ///< per wall, on the gas [N]
+  std::vector<double> wall_power;       ///< per wall: what it gives to internal plus kinetic energy per time
+};
+
+/// Evaluates
+///
+///   a_i     = -sum_j m_j Pi_ij grad_i W_ij                       - Pi_iB rho_B S_i
+///   de_i/dt = 1/2 sum_j m_j Pi_ij (v_i - v_j).grad_i W_ij        + Pi_iB rho_B (v_i - v_B).S_i
+///
+/// Pairs conserve momentum and internal plus kinetic energy. The wall terms are ours: they treat a wall of
+/// prescribed velocity as the partner at the foot point, as the schemes do (m_j grad_i W_ij becomes rho_B
+/// S_i), so that cold gas does not run into it unopposed. All of their heat stays in the gas, so that a wall
+/// at rest gives it no energy. A wall of prescribed pressure has none: the prescribed value is the whole
+/// stress there. Nor has any under Closure::one_sided, whose pressure contains what the wall's shock
+/// dissipates. Reads density, velocity, sound speed.
+template <int Dim>
+void evaluate_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
+                        PairGeometry<Dim> const& geometry, Domain<Dim> const& domain, Closure closure,
+                        double time, int threads, ViscousRates<Dim>& rates);
+
+}  // namespace sphverify

@@ -1,0 +1,137 @@
+#include "harness/run/moving_gas.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sphverify {
+
+namespace {
+
+constexpr std::uint64_t most_steps = 2'000'000;
+/// A step that is this part of the run would never end it.
+constexpr double collapsed = 1e-9;
+
+/// Writes and reads the parts of a budget in one order.
+template <int Dim>
+double* put(Vector<Dim> const& v, double* out) {
+  return std::copy(v.begin(), v.end(), out);
+}
+template <int Dim>
+double const* take(double const* from, Vector<Dim>& v) {
+  std::copy(from, from + Dim, v.begin());
+  return from + Dim;
+}
+
+}  // namespace
+
+template <int Dim>
+Vector<Dim> GasBudgets<Dim>::exchanged_impulse() const {
+  Vector<Dim> sum = source_impulse;
+  for (auto const& wall : walls) sum += wall.force;
+  return sum;
+}
+
+template <int Dim>
+double GasBudgets<Dim>::exchanged_energy() const {
+  double sum = source_energy;
+  for (auto const& wall : walls) sum += wall.power;
+  return sum;
+}
+
+template <int Dim>
+MovingGas<Dim>::MovingGas(Problem<Dim> problem, SceneChoice const& choice, double courant_factor)
+    : scene_(std::move(problem), choice), courant_factor_(courant_factor) {}
+
+template <int Dim>
+std::size_t MovingGas<Dim>::quadratures() const {
+  return scene_.walls().size() * (2 * Dim + 3) + 2 * (Dim + 1);
+}
+
+template <int Dim>
+void MovingGas<Dim>::quadrature(double* out) const {
+  Vector<Dim> pairs = scene_.force();
+  double pair_power = scene_.power();
+  for (WallExchange<Dim> const& wall : scene_.wall_exchange()) {
+    out = put<Dim>(wall.force, out);
+    out = put<Dim>(wall.prescribed_force, out);
+    for (double const value : {wall.power, wall.prescribed_power, wall.heat}) *out++ = value;
+    pairs -= wall.force;
+    pair_power -= wall.power;
+  }
+  Vector<Dim> const source = scene_.source_force();
+  double const source_power = scene_.source_power();
+  out = put<Dim>(source, out);
+  *out++ = source_power;
+  out = put<Dim>(pairs - source, out);
+  *out = pair_power - source_power;
+}
+
+template <int Dim>
+GasBudgets<Dim> MovingGas<Dim>::budgets(double const* q) const {
+  GasBudgets<Dim> all;
+  all.walls.resize(scene_.walls().size());
+  for (WallExchange<Dim>& wall : all.walls) {
+    q = take<Dim>(q, wall.force);
+    q = take<Dim>(q, wall.prescribed_force);
+    for (double* value : {&wall.power, &wall.prescribed_power, &wall.heat}) *value = *q++;
+  }
+  q = take<Dim>(q, all.source_impulse);
+  all.source_energy = *q++;
+  q = take<Dim>(q, all.pair_impulse);
+  all.pair_energy = *q;
+  return all;
+}
+
+template <int Dim>
+double MovingGas<Dim>::step_limit() {
+  auto const limits = scene_.step_limits();
+  auto const bound = std::min_element(limits.begin(), limits.end(),
+                                      [](StepLimit const& a, StepLimit const& b) { return a.step < b.step; });
+  // A cold gas at rest has no limit of its own.
+  double const step = courant_factor_ * std::min(bound->step, 0.01 * scene_.problem().final_time);
+  ++steps_bound_by_[std::string(std::isfinite(bound->step) ? bound->name : "none")];
+  smallest_step_ = smallest_step_ == 0.0 ? step : std::min(smallest_step_, step);
+  largest_step_ = std::max(largest_step_, step);
+  return step;
+}
+
+template <int Dim>
+OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolerances, Monitor monitor) {
+  double const final_time = scene_.problem().final_time;
+  OdeSystem system;
+  system.size = scene_.unknowns();
+  system.quadratures = quadratures();
+  system.rate = [this](double t, double const* y, double* dydt) {
+    scene_.evaluate(t, y);
+    scene_.rates(dydt);
+  };
+  // Both integrators ask for it right after the rate at the same state, at which the scene still is.
+  system.quadrature = [this](double, double const*, double* dqdt) { quadrature(dqdt); };
+  system.monitor = [&](double t, double const*, double const* q) { return monitor(t, budgets(q)); };
+  std::vector<double> initial = scene_.initial_state();
+  OdeResult result;
+  if (method == "leapfrog") {
+    result = integrate_leapfrog(system, std::move(initial), final_time,
+                                {.coordinates = scene_.coordinates(),
+                                 .largest_step = [this](double) { return step_limit(); },
+                                 .smallest_step = collapsed * final_time,
+                                 .most_steps = most_steps});
+  } else {
+    system.scales = scene_.scales();
+    // Budgets add up what the whole gas exchanges; a tolerance in proportion to it does not rule the step.
+    system.scales.resize(system.size + system.quadratures, std::numeric_limits<double>::max() * 1e-20);
+    result = integrate_runge_kutta(system, std::move(initial), final_time, tolerances);
+  }
+  if (result.outcome == OdeOutcome::finished) scene_.evaluate(final_time, result.y.data());
+  return result;
+}
+
+template struct GasBudgets<1>;
+template struct GasBudgets<2>;
+template struct GasBudgets<3>;
+template class MovingGas<1>;
+template class MovingGas<2>;
+template class MovingGas<3>;
+
+}  // namespace sphverify

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "harness/run/run.hpp"
+#include "harness/scene/scene.hpp"
+
+namespace sphverify {
+
+/// Runs a moving gas and writes what the options ask for into the record.
+///
+/// The error of time integration is measured: each run is repeated with half the step (leapfrog) or a
+/// hundredth of the tolerance (runge-kutta), until that changes no field's error by more than 1%, in any
+/// region and norm, or the ladder ends; the looser of the last two is the run's result and what it costs.
+template <int Dim>
+void run_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
+                RunRecord& record);
+
+}  // namespace sphverify

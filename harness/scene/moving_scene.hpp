@@ -1,0 +1,147 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cases/support/problem.hpp"
+#include "formulations/rate_operator.hpp"
+#include "formulations/viscosity/monaghan.hpp"
+#include "harness/scene/scene.hpp"
+
+namespace sphverify {
+
+/// The numbers of a run have left the realm in which it makes sense to go on.
+class BrokenRun : public std::runtime_error {
+ public:
+  BrokenRun(std::string status, std::string const& reason)
+      : std::runtime_error(reason), status_(std::move(status)) {}
+  std::string const& status() const { return status_; }  ///< as in the results document
+
+ private:
+  std::string status_;
+};
+
+/// What limits an explicit step, and how long a step it allows [s].
+struct StepLimit {
+  std::string_view name;
+  double step;
+};
+
+/// What crosses one wall per time: in the scheme, and by what the wall prescribes (or the closure in its
+/// place).
+template <int Dim>
+struct WallExchange {
+  Vector<Dim> force = Vector<Dim>::Zero();             ///< on the gas [N]
+  Vector<Dim> prescribed_force = Vector<Dim>::Zero();  ///< -P_B n area
+  double power = 0.0;                                  ///< work and heat [W]
+  double prescribed_power = 0.0;                       ///< -P_B v_B.n area, and heat
+  double heat = 0.0;                                   ///< of the power, by conduction
+};
+
+/// Particles of a gas that move between walls, set up for one formulation (momentum form, work, perhaps
+/// conduction) on one problem, as an ordinary differential equation. Its unknowns: positions and velocities
+/// component by component, internal (or internal plus kinetic) energies per mass, densities where they obey
+/// the continuity equation, and the displacements of the walls that go with the gas.
+///
+/// The gas obeys P = (gamma - 1) rho e and T = e (specific heat 1).
+template <int Dim>
+class MovingScene {
+ public:
+  /// Throws std::invalid_argument when the particles or walls make no sense.
+  MovingScene(Problem<Dim> problem, SceneChoice const& choice);
+
+  std::size_t unknowns() const;
+  std::size_t coordinates() const { return Dim * particles_.size(); }
+  std::vector<double> initial_state();
+
+  /// Sizes of typical unknowns, in their order.
+  std::vector<double> scales() const;
+
+  /// Brings everything to a state: fields, geometry, rates. Throws BrokenRun.
+  void evaluate(double time, double const* state);
+
+  /// Of the last evaluated state.
+  void rates(double* out) const;
+  std::vector<StepLimit> step_limits() const;
+  std::vector<WallExchange<Dim>> wall_exchange() const;
+  Vector<Dim> source_force() const;
+  double source_power() const;
+  Vector<Dim> force() const;  ///< of everything together: d/dt sum m v
+  double power() const;       ///< of everything together: d/dt sum m (e + v^2/2)
+
+  Vector<Dim> momentum() const;
+  double energy() const;  ///< internal and kinetic
+
+  Problem<Dim> const& problem() const { return problem_; }
+  Particles<Dim> const& particles() const { return particles_; }
+  std::vector<Wall<Dim>> const& walls() const { return walls_; }  ///< where they stand now
+  PairGeometry<Dim> const& geometry() const { return geometry_; }
+  double spacing() const { return spacing_; }
+
+  /// Volume between the walls, less the sum of m/rho over it.
+  double volume_defect() const;
+
+  /// Area of a wall [m^(Dim-1)]: the product of the domain's extents along it.
+  double area(Wall<Dim> const& wall) const;
+
+  WorkCount const& work() const { return work_; }
+  SceneRecord record() const;
+  std::size_t bytes() const { return particles_.bytes() + geometry_.bytes(); }
+
+ private:
+  bool has_continuity() const { return density_rule_ == DensityRule::continuity; }
+  bool evolves_total_energy() const { return work_operator_->info().rate == Rate::total_work; }
+  void place_particles(SceneChoice const& choice);
+  void load(double const* state);
+  void place_walls(double time, double const* displacements);
+  void require_order(double time) const;
+  void set_smoothing_length();
+  void find_geometry(double time);
+  void set_density(CellGrid<Dim> const& grid);
+  void adapt_smoothing_length_to_sum();
+  void set_gas(double time);
+  void evaluate_rates(double time);
+
+  /// Mean of value(contact) weighted by the face that each contact stands for.
+  template <class Value>
+  double face_mean(WallContacts<Dim> const& contacts, Value const& value) const;
+
+  Problem<Dim> problem_;
+  std::unique_ptr<RateOperator<Dim>> momentum_operator_, work_operator_, conduction_operator_,
+      continuity_operator_;
+  MonaghanViscosity viscosity_;
+  DensityRule density_rule_;
+  FaceWeight face_weight_;
+  Closure closure_;
+  WallMotion wall_motion_;
+  bool adaptive_;
+  bool with_walls_;
+  double smoothing_ratio_;
+  double spacing_ = 0.0;
+  int threads_;
+
+  Particles<Dim> particles_;
+  std::vector<Wall<Dim>> walls_;
+  std::vector<std::size_t> free_walls_;  ///< those that go with the gas
+  std::vector<Vector<Dim>> wall_start_;
+  std::vector<std::size_t> order_;  ///< particles along the axis, in 1D: they must not cross
+  PairGeometry<Dim> geometry_;
+
+  VectorField<Dim> acceleration_;    ///< with viscosity and body force
+  std::vector<double> energy_rate_;  ///< of what the run evolves
+  ViscousRates<Dim> viscous_;
+  std::vector<double> conduction_wall_power_;
+  std::vector<double> wall_speed_;  ///< along the outward normal, of the free walls
+  double time_ = 0.0;
+  WorkCount work_;
+  std::map<std::string_view, std::uint64_t> passes_;
+};
+
+extern template class MovingScene<1>;
+extern template class MovingScene<2>;
+extern template class MovingScene<3>;
+
+}  // namespace sphverify

@@ -42,22 +42,22 @@ void sweep_viscous_pairs(MonaghanViscosity const& viscosity, Particles<Dim> cons
   });
 }
 
+/// @param share of the wall's and the gas's halves that are left
 template <int Dim>
-void add_viscous_wall(MonaghanViscosity const& viscosity, Wall<Dim> const& wall,
-                      WallContacts<Dim> const& contacts, Particles<Dim> const& particles, double time,
-                      Vector<Dim>& force, double& power, ViscousRates<Dim>& rates) {
+void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> const& contacts, double share,
+                      Particles<Dim> const& particles, Vector<Dim>& force, double& power,
+                      ViscousRates<Dim>& rates) {
   SmoothingLength const h(particles);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     std::uint32_t const i = contacts.particle[k];
     double const d = contacts.distance[k];
     Vector<Dim> const v = particles.vector(Field::velocity)[i];
-    Vector<Dim> const v_B = wall.velocity(contacts.foot[k], time);
-    double const closing = (v - v_B).dot(contacts.outward_normal);
+    double const closing = (v - contacts.velocity[k]).dot(contacts.outward_normal);
     double const mu = MonaghanViscosity::mu(-closing * d, d * d, h(i));
     if (mu == 0.0) continue;
     double const rho = 0.5 * (particles.scalar(Field::density)[i] + contacts.foot_density[k]);
     double const Pi = viscosity.pressure(mu, particles.scalar(Field::sound_speed)[i], rho);
-    double const face = Pi * contacts.foot_density[k] * contacts.face_weight[k];
+    double const face = share * Pi * contacts.foot_density[k] * contacts.face_weight[k];
     Vector<Dim> const acceleration = -face * contacts.outward_normal;
     double const heating = face * closing;
     rates.acceleration.add(i, acceleration);
@@ -74,25 +74,23 @@ void add_viscous_wall(MonaghanViscosity const& viscosity, Wall<Dim> const& wall,
 template <int Dim>
 void evaluate_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
                         PairGeometry<Dim> const& geometry, Domain<Dim> const& domain, Closure closure,
-                        double time, int threads, ViscousRates<Dim>& rates) {
+                        int threads, ViscousRates<Dim>& rates) {
   std::size_t const n = particles.size();
   if (rates.heating.size() != n)
     rates = {VectorField<Dim>(n), std::vector<double>(n), std::vector<double>(n), {}, {}};
   sweep_viscous_pairs(viscosity, particles, geometry, domain, threads, rates);
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
-  if (closure == Closure::one_sided) return;
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-    Wall<Dim> const& wall = geometry.walls[w];
-    if (!wall.velocity || wall.pressure) continue;
-    add_viscous_wall(viscosity, wall, geometry.contacts[w], particles, time, rates.wall_force[w],
-                     rates.wall_power[w], rates);
+    bool const whole_stress = geometry.walls[w].pressure || closure == Closure::one_sided;
+    add_viscous_wall(viscosity, geometry.contacts[w], whole_stress ? 0.5 : 1.0, particles,
+                     rates.wall_force[w], rates.wall_power[w], rates);
   }
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                     \
-  template void evaluate_viscosity(MonaghanViscosity const&, Particles<Dim> const&,                    \
-                                   PairGeometry<Dim> const&, Domain<Dim> const&, Closure, double, int, \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                             \
+  template void evaluate_viscosity(MonaghanViscosity const&, Particles<Dim> const&,            \
+                                   PairGeometry<Dim> const&, Domain<Dim> const&, Closure, int, \
                                    ViscousRates<Dim>&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

@@ -18,22 +18,26 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
                              Stepping const& stepping) {
   std::size_t const n = system.size;
   std::size_t const coordinates = stepping.coordinates;
-  std::vector<double> rate(n), new_rate(n), predicted(n);
-  std::vector<double> flow(system.quadratures), new_flow(system.quadratures);
+  std::size_t const others = 2 * coordinates;
+  // Rates at the beginning and at the end of a step, both with the velocities of its middle.
+  std::vector<double> first(n), second(n), predicted(n), middle(coordinates);
+  std::vector<double> first_flow(system.quadratures), second_flow(system.quadratures);
+  std::vector<double> impulse(stepping.impulses);
   OdeResult result;
   result.quadratures.assign(system.quadratures, 0.0);
 
-  auto const evaluate = [&](double t, double const* state, std::vector<double>& dydt,
+  auto const evaluate = [&](double t, std::vector<double> const& state, std::vector<double>& dydt,
                             std::vector<double>& dqdt) {
-    system.rate(t, state, dydt.data());
-    if (system.quadratures > 0) system.quadrature(t, state, dqdt.data());
+    stepping.rate(t, state.data(), middle.data(), dydt.data());
+    if (system.quadratures > 0) system.quadrature(t, state.data(), dqdt.data());
   };
   auto const fail = [&](std::string reason) {
     result.outcome = OdeOutcome::failed;
     result.reason = std::move(reason);
   };
 
-  evaluate(0.0, y.data(), rate, flow);
+  std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(coordinates), coordinates, middle.begin());
+  evaluate(0.0, y, second, second_flow);
   while (result.time < final_time) {
     double const limit = stepping.largest_step(result.time);
     if (!(limit > stepping.smallest_step)) {
@@ -45,19 +49,30 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
       break;
     }
     double const dt = even_step(final_time - result.time, limit);
-    // Kick and drift the coordinates: x + dt v + dt^2/2 a. Everything else is predicted by its old rate.
-    for (std::size_t k = 0; k < n; ++k) predicted[k] = y[k] + dt * rate[k];
-    for (std::size_t k = 0; k < coordinates; ++k) predicted[k] += 0.5 * dt * dt * rate[coordinates + k];
     double const time = dt >= final_time - result.time ? final_time : result.time + dt;
-    evaluate(time, predicted.data(), new_rate, new_flow);
-    // The second kick makes of the prediction the mean of the old and the new rate.
-    for (std::size_t k = 0; k < coordinates; ++k) y[k] = predicted[k];
-    for (std::size_t k = coordinates; k < n; ++k) y[k] += 0.5 * dt * (rate[k] + new_rate[k]);
-    for (std::size_t k = 0; k < system.quadratures; ++k) {
-      result.quadratures[k] += 0.5 * dt * (flow[k] + new_flow[k]);
+    std::copy_n(second_flow.begin(), stepping.impulses, impulse.begin());
+
+    // Kick: to the velocities of the middle, by the acceleration at the end of the last step.
+    for (std::size_t k = 0; k < coordinates; ++k) {
+      double const acceleration = second[coordinates + k];
+      middle[k] = y[coordinates + k] + 0.5 * dt * acceleration;
+      predicted[coordinates + k] = y[coordinates + k] + dt * acceleration;
     }
-    std::swap(rate, new_rate);
-    std::swap(flow, new_flow);
+    // Drift: places, and with them whatever else moves.
+    evaluate(result.time, y, first, first_flow);
+    for (std::size_t k = 0; k < coordinates; ++k) predicted[k] = y[k] + dt * middle[k];
+    for (std::size_t k = others; k < n; ++k) predicted[k] = y[k] + dt * first[k];
+    evaluate(time, predicted, second, second_flow);
+    for (std::size_t k = others; k < n; ++k) y[k] += 0.5 * dt * (first[k] + second[k]);
+    // Kick.
+    for (std::size_t k = 0; k < coordinates; ++k) {
+      y[k] = predicted[k];
+      y[coordinates + k] = middle[k] + 0.5 * dt * second[coordinates + k];
+    }
+    for (std::size_t k = 0; k < system.quadratures; ++k) {
+      double const before = k < stepping.impulses ? impulse[k] : first_flow[k];
+      result.quadratures[k] += 0.5 * dt * (before + second_flow[k]);
+    }
     result.time = time;
     ++result.steps;
     result.reason = system.monitor ? system.monitor(time, y.data(), result.quadratures.data()) : "";

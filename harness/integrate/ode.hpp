@@ -53,16 +53,23 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
 /// How a leapfrog steps.
 struct Stepping {
   std::size_t coordinates;  ///< y[0, coordinates) are places, which move with y[coordinates, 2 coordinates)
-  std::function<double(double t)> largest_step;  ///< asked right after the rate at the step's beginning
+  std::size_t impulses;     ///< the first so many quadratures are fed by forces, the others by what moves
+
+  /// The system's rate at a state, with other velocities for whatever moves than those of the state itself.
+  std::function<void(double t, double const* y, double const* velocities, double* dydt)> rate;
+
+  std::function<double(double t)> largest_step;  ///< asked right after a rate
   double smallest_step;                          ///< below it the step has collapsed
   std::uint64_t most_steps;
 };
 
-/// Leapfrog in its kick-drift-kick form, of second order. What is not a place or a velocity, and every rate
-/// that depends on velocity, takes the value that the old rate predicts, and in the end the mean of the old
-/// and the new rate; one evaluation a step. With that mean the budgets of momentum, and of whatever else is
-/// linear in the unknowns, close to round-off. Asks for a quadrature only right after the rate at the same
-/// state.
+/// Leapfrog in its kick-drift-kick form, of second order. All that follows the places, such as densities and
+/// energies, drifts with the velocities of the middle of the step, by the mean of its rates at either end, so
+/// that sound is a leapfrog too, neither damped nor growing while a step resolves it; with predicted
+/// velocities instead short waves grow. Two evaluations a step, at the same places. Forces that depend on
+/// velocity take that which the old acceleration predicts. Momentum closes to round-off against the impulses,
+/// and whatever is linear in the rest against the other quadratures. Asks for a quadrature only right after
+/// the rate at the same state.
 OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, double final_time,
                              Stepping const& stepping);
 

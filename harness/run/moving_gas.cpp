@@ -43,28 +43,37 @@ template <int Dim>
 MovingGas<Dim>::MovingGas(Problem<Dim> problem, SceneChoice const& choice, double courant_factor)
     : scene_(std::move(problem), choice), courant_factor_(courant_factor) {}
 
+/// Impulses first: two per wall, the source's and the pairs'.
+template <int Dim>
+std::size_t MovingGas<Dim>::impulses() const {
+  return Dim * (2 * scene_.walls().size() + 2);
+}
+
 template <int Dim>
 std::size_t MovingGas<Dim>::quadratures() const {
-  return scene_.walls().size() * (2 * Dim + 3) + 2 * (Dim + 1);
+  return impulses() + 3 * scene_.walls().size() + 2;
 }
 
 template <int Dim>
 void MovingGas<Dim>::quadrature(double* out) const {
-  Vector<Dim> pairs = scene_.force();
-  double pair_power = scene_.power();
-  for (WallExchange<Dim> const& wall : scene_.wall_exchange()) {
+  auto const exchange = scene_.wall_exchange();
+  Vector<Dim> const source = scene_.source_force();
+  Vector<Dim> pairs = scene_.force() - source;
+  for (WallExchange<Dim> const& wall : exchange) {
     out = put<Dim>(wall.force, out);
     out = put<Dim>(wall.prescribed_force, out);
-    for (double const value : {wall.power, wall.prescribed_power, wall.heat}) *out++ = value;
     pairs -= wall.force;
+  }
+  out = put<Dim>(source, out);
+  out = put<Dim>(pairs, out);
+  double const source_power = scene_.source_power();
+  double pair_power = scene_.power() - source_power;
+  for (WallExchange<Dim> const& wall : exchange) {
+    for (double const value : {wall.power, wall.prescribed_power, wall.heat}) *out++ = value;
     pair_power -= wall.power;
   }
-  Vector<Dim> const source = scene_.source_force();
-  double const source_power = scene_.source_power();
-  out = put<Dim>(source, out);
   *out++ = source_power;
-  out = put<Dim>(pairs - source, out);
-  *out = pair_power - source_power;
+  *out = pair_power;
 }
 
 template <int Dim>
@@ -74,11 +83,13 @@ GasBudgets<Dim> MovingGas<Dim>::budgets(double const* q) const {
   for (WallExchange<Dim>& wall : all.walls) {
     q = take<Dim>(q, wall.force);
     q = take<Dim>(q, wall.prescribed_force);
-    for (double* value : {&wall.power, &wall.prescribed_power, &wall.heat}) *value = *q++;
   }
   q = take<Dim>(q, all.source_impulse);
-  all.source_energy = *q++;
   q = take<Dim>(q, all.pair_impulse);
+  for (WallExchange<Dim>& wall : all.walls) {
+    for (double* value : {&wall.power, &wall.prescribed_power, &wall.heat}) *value = *q++;
+  }
+  all.source_energy = *q++;
   all.pair_energy = *q;
   return all;
 }
@@ -112,11 +123,18 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
   std::vector<double> initial = scene_.initial_state();
   OdeResult result;
   if (method == "leapfrog") {
-    result = integrate_leapfrog(system, std::move(initial), final_time,
-                                {.coordinates = scene_.coordinates(),
-                                 .largest_step = [this](double) { return step_limit(); },
-                                 .smallest_step = collapsed * final_time,
-                                 .most_steps = most_steps});
+    result =
+        integrate_leapfrog(system, std::move(initial), final_time,
+                           {.coordinates = scene_.coordinates(),
+                            .impulses = impulses(),
+                            .rate =
+                                [this](double t, double const* y, double const* velocities, double* dydt) {
+                                  scene_.evaluate(t, y, velocities);
+                                  scene_.rates(dydt);
+                                },
+                            .largest_step = [this](double) { return step_limit(); },
+                            .smallest_step = collapsed * final_time,
+                            .most_steps = most_steps});
   } else {
     system.scales = scene_.scales();
     // Budgets add up what the whole gas exchanges; a tolerance in proportion to it does not rule the step.

@@ -43,6 +43,7 @@ class MovingGas {
   double largest_step() const { return largest_step_; }
 
  private:
+  std::size_t impulses() const;
   std::size_t quadratures() const;
   void quadrature(double* out) const;
   double step_limit();

@@ -102,7 +102,7 @@ class MovingRun {
     if (result.outcome == OdeOutcome::failed) {
       bool const out_of_steps = result.reason.find("not enough") != std::string::npos;
       return give_up(state, out_of_steps ? "timed-out" : "unstable",
-                     result.reason + fmt::format(" at t = {:.6g}", result.time));
+                     result.reason + fmt::format(" at t = {:.6g}", result.time) + collision(state));
     }
     if (result.outcome == OdeOutcome::stopped) return give_up(state, status, result.reason);
     state.steps = result.steps;
@@ -116,6 +116,12 @@ class MovingRun {
                   .pair_interactions = scene.work().pair_interactions,
                   .peak_bytes = scene.bytes()};
     return state;
+  }
+
+  /// A step that collapses is most often about to let particles collide: says which.
+  std::string collision(FinalState<Dim> const& state) const {
+    std::string const who = state.gas->scene().closest_approach();
+    return who.empty() ? "" : "; closest to colliding: " + who;
   }
 
   std::nullopt_t give_up(FinalState<Dim> const& state, std::string const& status, std::string const& reason) {

@@ -34,6 +34,14 @@ void copy_into(VectorField<Dim>& field, double const* state) {
   }
 }
 
+template <int Dim>
+bool same_places(VectorField<Dim> const& a, VectorField<Dim> const& b) {
+  for (int k = 0; k < Dim; ++k) {
+    if (a.component(k) != b.component(k)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -86,7 +94,7 @@ void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
   if (has_continuity()) particles_.allocate(Field::density_rate);
   if (adaptive_) particles_.vary_smoothing_length();
   energy_rate_.assign(n, 0.0);
-  acceleration_ = VectorField<Dim>(n);
+  acceleration_ = drift_ = found_at_ = VectorField<Dim>(n);
   if constexpr (Dim == 1) {
     auto const& x = particles_.positions().component(0);
     order_.resize(n);
@@ -151,14 +159,16 @@ std::vector<double> MovingScene<Dim>::scales() const {
 }
 
 template <int Dim>
-void MovingScene<Dim>::evaluate(double time, double const* state) {
+void MovingScene<Dim>::evaluate(double time, double const* state, double const* drift) {
   time_ = time;
   load(state);
+  copy_into(drift_, drift ? drift : state + coordinates());
   place_walls(time, state + unknowns() - free_walls_.size());
   require_order(time);
   if (adaptive_ && has_continuity()) set_smoothing_length();
   find_geometry(time);
   set_gas(time);
+  evaluate_motion(time);
   evaluate_rates(time);
 }
 
@@ -263,13 +273,16 @@ void MovingScene<Dim>::find_geometry(double time) {
     SmoothingLength const h(particles_);
     CellGrid<Dim> const grid(particles_.positions(), problem_.domain,
                              CubicSpline<Dim>::support_ratio * h.largest());
-    geometry_.neighbours = find_neighbours(grid, h);
-    ++passes_["neighbour-search"];
-    KernelWeightSet wanted = momentum_operator_->info().kernel | work_operator_->info().kernel;
-    if (conduction_operator_) wanted = wanted | conduction_operator_->info().kernel;
-    geometry_.weights =
-        evaluate_kernel(geometry_.neighbours, particles_.positions(), problem_.domain, h, wanted);
-    ++passes_["kernel"];
+    if (!same_places(found_at_, particles_.positions()) || (adaptive_ && has_continuity())) {
+      geometry_.neighbours = find_neighbours(grid, h);
+      ++passes_["neighbour-search"];
+      KernelWeightSet wanted = momentum_operator_->info().kernel | work_operator_->info().kernel;
+      if (conduction_operator_) wanted = wanted | conduction_operator_->info().kernel;
+      geometry_.weights =
+          evaluate_kernel(geometry_.neighbours, particles_.positions(), problem_.domain, h, wanted);
+      ++passes_["kernel"];
+      found_at_ = particles_.positions();
+    }
     if (!has_continuity()) set_density(grid);
     if (!with_walls_) return;
     geometry_.walls = walls_;
@@ -339,9 +352,9 @@ void MovingScene<Dim>::set_gas(double time) {
   ++passes_["conductivity"];
 }
 
+/// Pressure, its work, conduction and the continuity equation, with the velocities of the drift.
 template <int Dim>
-void MovingScene<Dim>::evaluate_rates(double time) {
-  std::size_t const n = particles_.size();
+void MovingScene<Dim>::evaluate_motion(double time) {
   auto const run = [&](RateOperator<Dim>& one) {
     try {
       one.evaluate(particles_, geometry_, closure_, time, threads_, work_);
@@ -351,9 +364,8 @@ void MovingScene<Dim>::evaluate_rates(double time) {
     if (one.info().two_pass) ++passes_["flux"];
     ++passes_[one.info().id];
   };
-  auto const& v = particles_.vector(Field::velocity);
   auto const& heating = particles_.scalar(Field::heating);
-
+  std::swap(particles_.vector(Field::velocity), drift_);
   run(*momentum_operator_);
   acceleration_ = particles_.vector(Field::acceleration);
   run(*work_operator_);
@@ -361,12 +373,19 @@ void MovingScene<Dim>::evaluate_rates(double time) {
   if (continuity_operator_) run(*continuity_operator_);
   if (conduction_operator_) {
     run(*conduction_operator_);
-    for (std::size_t i = 0; i < n; ++i) energy_rate_[i] += heating[i];
+    for (std::size_t i = 0; i < particles_.size(); ++i) energy_rate_[i] += heating[i];
     conduction_wall_power_ = conduction_operator_->wall_power();
   }
+  std::swap(particles_.vector(Field::velocity), drift_);
+}
+
+/// What viscosity and the case's sources add, with the velocities of the state.
+template <int Dim>
+void MovingScene<Dim>::evaluate_rates(double time) {
+  std::size_t const n = particles_.size();
+  auto const& v = particles_.vector(Field::velocity);
   if (viscosity_.is_on()) {
-    evaluate_viscosity(viscosity_, particles_, geometry_, problem_.domain, closure_, time, threads_,
-                       viscous_);
+    evaluate_viscosity(viscosity_, particles_, geometry_, problem_.domain, closure_, threads_, viscous_);
     ++passes_["viscosity"];
     for (std::size_t i = 0; i < n; ++i) {
       acceleration_.add(i, viscous_.acceleration[i]);
@@ -462,6 +481,34 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
 }
 
 template <int Dim>
+std::string MovingScene<Dim>::closest_approach() const {
+  auto const& v = particles_.vector(Field::velocity);
+  auto const& x = particles_.positions();
+  double fastest = 0.0;
+  std::string who;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    for (std::uint32_t const j : geometry_.neighbours.row(i)) {
+      Vector<Dim> const r_ij = problem_.domain.nearest_image(x[i] - x[j]);
+      double const rate = -(v[i] - v[j]).dot(r_ij) / r_ij.squaredNorm();
+      if (rate <= fastest) continue;
+      fastest = rate;
+      who = fmt::format("particles {} and {}, {:.3g} apart", i, j, r_ij.norm());
+    }
+  }
+  for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
+    auto const& contacts = geometry_.contacts[w];
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      std::uint32_t const i = contacts.particle[k];
+      double const rate = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal) / contacts.distance[k];
+      if (rate <= fastest) continue;
+      fastest = rate;
+      who = fmt::format("particle {} and wall {}, {:.3g} apart", i, w, contacts.distance[k]);
+    }
+  }
+  return who;
+}
+
+template <int Dim>
 double MovingScene<Dim>::area(Wall<Dim> const& wall) const {
   double area = 1.0;
   for (int k = 0; k < Dim; ++k) {
@@ -473,7 +520,6 @@ double MovingScene<Dim>::area(Wall<Dim> const& wall) const {
 template <int Dim>
 std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
   std::vector<WallExchange<Dim>> all(walls_.size());
-  auto const& v = particles_.vector(Field::velocity);
   for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
     WallContacts<Dim> const& contacts = geometry_.contacts[w];
     WallExchange<Dim>& exchange = all[w];
@@ -482,7 +528,8 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
     if (!evolves_total_energy()) {
       for (std::size_t k = 0; k < contacts.size(); ++k) {
         std::uint32_t const i = contacts.particle[k];
-        exchange.power += particles_.masses()[i] * momentum_operator_->wall_acceleration()[w][k].dot(v[i]);
+        exchange.power +=
+            particles_.masses()[i] * momentum_operator_->wall_acceleration()[w][k].dot(drift_[i]);
       }
     }
     if (viscosity_.is_on()) {
@@ -547,9 +594,13 @@ Vector<Dim> MovingScene<Dim>::force() const {
 template <int Dim>
 double MovingScene<Dim>::power() const {
   double sum = 0.0;
+  auto const& pressure = particles_.vector(Field::acceleration);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     double rate = energy_rate_[i];
-    if (!evolves_total_energy()) rate += acceleration_[i].dot(particles_.vector(Field::velocity)[i]);
+    if (!evolves_total_energy()) {
+      Vector<Dim> const rest = acceleration_[i] - pressure[i];
+      rate += pressure[i].dot(drift_[i]) + rest.dot(particles_.vector(Field::velocity)[i]);
+    }
     sum += particles_.masses()[i] * rate;
   }
   return sum;

@@ -61,11 +61,15 @@ class MovingScene {
   std::vector<double> scales() const;
 
   /// Brings everything to a state: fields, geometry, rates. Throws BrokenRun.
-  void evaluate(double time, double const* state);
+  /// @param drift velocities with which the gas and its walls move, component by component, if not the
+  /// state's own
+  void evaluate(double time, double const* state, double const* drift = nullptr);
 
   /// Of the last evaluated state.
   void rates(double* out) const;
   std::vector<StepLimit> step_limits() const;
+  /// Who runs into whom fastest, in words; empty if nothing approaches.
+  std::string closest_approach() const;
   std::vector<WallExchange<Dim>> wall_exchange() const;
   Vector<Dim> source_force() const;
   double source_power() const;
@@ -103,6 +107,7 @@ class MovingScene {
   void set_density(CellGrid<Dim> const& grid);
   void adapt_smoothing_length_to_sum();
   void set_gas(double time);
+  void evaluate_motion(double time);
   void evaluate_rates(double time);
 
   /// Mean of value(contact) weighted by the face that each contact stands for.
@@ -130,6 +135,8 @@ class MovingScene {
   std::vector<std::size_t> order_;  ///< particles along the axis, in 1D: they must not cross
   PairGeometry<Dim> geometry_;
 
+  VectorField<Dim> drift_;           ///< velocities of the last evaluation's motion
+  VectorField<Dim> found_at_;        ///< places at which the neighbours were found
   VectorField<Dim> acceleration_;    ///< with viscosity and body force
   std::vector<double> energy_rate_;  ///< of what the run evolves
   ViscousRates<Dim> viscous_;

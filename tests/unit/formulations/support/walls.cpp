@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <string>
 
+#include "cases/exact/riemann.hpp"
 #include "formulations/support/cubic_spline.hpp"
 #include "tests/support/dense.hpp"
 
@@ -341,6 +342,265 @@ BOOST_AUTO_TEST_CASE(contacts_count_the_memory_they_hold) {
   fill_boundary_values(contacts, scene.walls[0], scene.particles, {BoundaryValue::velocity},
                        Closure::interpolated, 0.0);
   BOOST_TEST(contacts.bytes() == before + 2 * contacts.size() * sizeof(double));
+}
+
+constexpr BoundaryValueSet every_value{BoundaryValue::pressure, BoundaryValue::velocity,
+                                       BoundaryValue::temperature, BoundaryValue::conductivity,
+                                       BoundaryValue::flux};
+
+/// Gives particles the density sum_j m_j W_ij.
+template <int Dim>
+void set_summation_density(Scene<Dim>& scene) {
+  dense::State<Dim> const s(scene);
+  std::vector<double> density(s.particles(), 0.0);
+  for (std::size_t i = 0; i < s.particles(); ++i) {
+    for (std::size_t j = 0; j < s.particles(); ++j) {
+      density[i] += s.m(j) * dense::kernel<Dim>((s.x(i) - s.x(j)).norm(), s.h());
+    }
+  }
+  scene.particles.scalar(Field::density) = density;
+}
+
+/// sum_j (m_j/rho_j) f_j W(r_j - r_B) / sum_j (m_j/rho_j) W(r_j - r_B)
+template <int Dim, class Function>
+auto quotient(dense::State<Dim> const& s, Vector<Dim> const& foot, Function const& f) {
+  auto above = f(0);
+  above *= 0.0;
+  double below = 0.0;
+  for (std::size_t j = 0; j < s.particles(); ++j) {
+    double const weight = s.m(j) / s.rho(j) * dense::kernel<Dim>((s.x(j) - foot).norm(), s.h());
+    above += weight * f(j);
+    below += weight;
+  }
+  above /= below;
+  return above;
+}
+
+/// The gas at a foot point, by a dense sum.
+template <int Dim>
+struct DenseGas {
+  double rho, P;
+  Vector<Dim> v;
+  DenseGas(dense::State<Dim> const& s, Vector<Dim> const& foot)
+      : rho(quotient(s, foot, [&](std::size_t j) { return s.rho(j); })),
+        P(quotient(s, foot, [&](std::size_t j) { return s.P(j); })),
+        v(quotient(s, foot, [&](std::size_t j) { return s.v(j); })) {}
+};
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_returns_a_constant_on_any_disorder_and_with_any_density, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    for (bool const summation : {false, true}) {
+      Scene<Dim> scene = seed % 2 == 0 ? random_slab<Dim>(seed, 60) : random_scene<Dim>(seed, 60, {}, {});
+      if (summation) set_summation_density(scene);
+      scene.particles.scalar(Field::pressure).assign(60, 3.0);
+      scene.particles.scalar(Field::temperature).assign(60, -7.0);
+      for (std::size_t i = 0; i < 60; ++i)
+        scene.particles.vector(Field::velocity).set(i, Vector<Dim>::Constant(0.3));
+      for (std::size_t w = 0; w < 2; ++w) {
+        WallContacts<Dim> contacts = contacts_of(scene, w);
+        fill_boundary_values(contacts, scene.walls[w], scene.particles, every_value, Closure::quotient, 0.0);
+        BOOST_TEST_REQUIRE(contacts.size() > 0u);
+        for (std::size_t c = 0; c < contacts.size(); ++c) {
+          BOOST_TEST(contacts.pressure[c] == 3.0, tolerance(1e-13));
+          BOOST_TEST(contacts.temperature[c] == -7.0, tolerance(1e-13));
+          BOOST_TEST((contacts.velocity[c] - Vector<Dim>::Constant(0.3)).norm() < 1e-14);
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_is_a_dense_quotient_for_every_value, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> scene = random_scene<Dim>(12, 60, {}, {});
+  Random random(8);
+  for (std::size_t i = 0; i < 60; ++i)
+    scene.particles.vector(Field::flux).set(i, random.vector<Dim>(-1.0, 1.0));
+  auto const& flux = scene.particles.vector(Field::flux);
+  dense::State<Dim> const s(scene);
+  for (std::size_t w = 0; w < 2; ++w) {
+    WallContacts<Dim> contacts = contacts_of(scene, w);
+    fill_boundary_values(contacts, scene.walls[w], scene.particles, every_value, Closure::quotient, 0.0);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      Vector<Dim> const foot = s.foot(contacts.particle[c], w);
+      auto const at_foot = [&](auto const& f) { return quotient(s, foot, f); };
+      BOOST_TEST(contacts.pressure[c] == at_foot([&](std::size_t j) { return s.P(j); }), tolerance(1e-9));
+      BOOST_TEST(contacts.temperature[c] == at_foot([&](std::size_t j) { return s.T(j); }), tolerance(1e-9));
+      BOOST_TEST(contacts.conductivity[c] == at_foot([&](std::size_t j) { return s.K(j); }), tolerance(1e-9));
+      BOOST_TEST((contacts.velocity[c] - at_foot([&](std::size_t j) { return s.v(j); })).norm() < 1e-9);
+      BOOST_TEST((contacts.flux[c] - at_foot([&](std::size_t j) { return flux[j]; })).norm() < 1e-9);
+    }
+  }
+}
+
+// equations.md: the volumes m/rho swell at a wall where the density is a sum, so that Eq. 74 returns 1.25
+// times a constant at h/dx = 1.2 and 2 ln 2 times it as h/dx grows.
+BOOST_AUTO_TEST_CASE(quotient_mends_what_interpolation_makes_of_a_constant_with_summation_density) {
+  auto const at_first_particle = [](double smoothing_ratio, Closure closure) {
+    Scene<1> scene = lattice_scene<1>(400, 0.01, smoothing_ratio);
+    scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<1>(1.0)});
+    set_summation_density(scene);
+    scene.particles.scalar(Field::pressure).assign(400, 1.0);
+    WallContacts<1> contacts = contacts_of(scene);
+    fill_boundary_values(contacts, scene.walls[0], scene.particles, {BoundaryValue::pressure}, closure, 0.0);
+    return contacts.pressure.back();
+  };
+  BOOST_TEST(at_first_particle(1.2, Closure::interpolated) == 1.25, tolerance(0.005));
+  BOOST_TEST(at_first_particle(64.0, Closure::interpolated) == 2.0 * std::numbers::ln2, tolerance(1e-4));
+  BOOST_TEST(at_first_particle(1.2, Closure::quotient) == 1.0, tolerance(1e-14));
+  BOOST_TEST(at_first_particle(64.0, Closure::quotient) == 1.0, tolerance(1e-13));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_leaves_alone_what_the_wall_prescribes, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Scene<Dim> const scene = random_scene<Dim>(3, 60);  // walls prescribe all but flux
+  WallContacts<Dim> one = contacts_of(scene);
+  WallContacts<Dim> other = contacts_of(scene);
+  fill_boundary_values(one, scene.walls[0], scene.particles, no_flux, Closure::interpolated, 0.4);
+  fill_boundary_values(other, scene.walls[0], scene.particles, no_flux, Closure::quotient, 0.4);
+  BOOST_TEST(same_bits(one.pressure, other.pressure));
+  BOOST_TEST(same_bits(one.temperature, other.temperature));
+  BOOST_TEST(same_bits(one.conductivity, other.conductivity));
+  for (int k = 0; k < Dim; ++k)
+    BOOST_TEST(same_bits(one.velocity.component(k), other.velocity.component(k)));
+}
+
+// The reference is the Riemann problem between the gas and its mirror image, where the contact is the wall.
+BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_velocity_meets_the_pressure_of_its_wave_if_one_sided, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  double const gamma = 1.4;
+  bool any_shock = false;
+  bool any_fan = false;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Scene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::velocity}, {BoundaryValue::velocity});
+    dense::State<Dim> const s(scene);
+    for (std::size_t w = 0; w < 2; ++w) {
+      Wall<Dim>& wall = scene.walls[w];
+      wall.gamma = gamma;
+      WallContacts<Dim> contacts = contacts_of(scene, w);
+      fill_boundary_values(contacts, wall, scene.particles, every_value, Closure::one_sided, 0.7);
+      for (std::size_t c = 0; c < contacts.size(); ++c) {
+        Vector<Dim> const foot = s.foot(contacts.particle[c], w);
+        Vector<Dim> const v_B = wall.velocity(foot, 0.7);
+        DenseGas<Dim> const gas(s, foot);
+        double const towards_wall = (gas.v - v_B).dot(wall.outward_normal);
+        exact::Riemann const problem({gas.rho, towards_wall, gas.P}, {gas.rho, -towards_wall, gas.P}, gamma);
+        BOOST_TEST_REQUIRE(problem.star().has_value());
+        BOOST_TEST(contacts.pressure[c] == problem.star()->pressure, tolerance(1e-8));
+        BOOST_TEST((contacts.velocity[c] - v_B).norm() < 1e-12);
+        any_shock = any_shock || contacts.pressure[c] > 1.1 * gas.P;
+        any_fan = any_fan || contacts.pressure[c] < 0.9 * gas.P;
+      }
+    }
+  }
+  BOOST_TEST(any_shock);
+  BOOST_TEST(any_fan);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_pressure_goes_with_its_wave_and_lets_the_gas_slip, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  double const gamma = 5.0 / 3.0;
+  bool any_shock = false;
+  bool any_fan = false;
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    Scene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::pressure}, {BoundaryValue::pressure});
+    dense::State<Dim> const s(scene);
+    for (std::size_t w = 0; w < 2; ++w) {
+      Wall<Dim>& wall = scene.walls[w];
+      wall.gamma = gamma;
+      Vector<Dim> const n = wall.outward_normal;
+      WallContacts<Dim> contacts = contacts_of(scene, w);
+      fill_boundary_values(contacts, wall, scene.particles, every_value, Closure::one_sided, 0.7);
+      for (std::size_t c = 0; c < contacts.size(); ++c) {
+        Vector<Dim> const foot = s.foot(contacts.particle[c], w);
+        DenseGas<Dim> const gas(s, foot);
+        double const P_B = wall.pressure(foot, 0.7);
+        BOOST_TEST(contacts.pressure[c] == P_B, tolerance(1e-12));
+        Vector<Dim> const slip = gas.v - contacts.velocity[c];
+        BOOST_TEST((slip - slip.dot(n) * n).norm() < 1e-9);
+        double const towards_wall = slip.dot(n);
+        exact::Riemann const problem({gas.rho, towards_wall, gas.P}, {gas.rho, -towards_wall, gas.P}, gamma);
+        BOOST_TEST_REQUIRE(problem.star().has_value());
+        BOOST_TEST(problem.star()->pressure == P_B, tolerance(1e-8));
+        any_shock = any_shock || P_B > 1.1 * gas.P;
+        any_fan = any_fan || P_B < 0.9 * gas.P;
+      }
+    }
+  }
+  BOOST_TEST(any_shock);
+  BOOST_TEST(any_fan);
+}
+
+// A piston that runs into gas at rest is the case with a sign that nobody can mistake.
+BOOST_AUTO_TEST_CASE(one_sided_piston_into_gas_at_rest_raises_the_pressure_and_pressure_drives_it_inwards) {
+  double const gamma = 1.4;
+  for (double const side : {-1.0, 1.0}) {
+    Scene<1> scene = lattice_scene<1>(40, 0.05, 1.2);
+    scene.particles.scalar(Field::pressure).assign(40, 1.0);
+    Wall<1> wall{.point = Vector<1>(side), .outward_normal = Vector<1>(side)};
+    wall.gamma = gamma;
+    wall.velocity = [side](Vector<1> const&, double) { return Vector<1>(-2.0 * side); };
+    scene.walls.push_back(wall);
+    WallContacts<1> contacts = contacts_of(scene);
+    fill_boundary_values(contacts, wall, scene.particles, {BoundaryValue::pressure}, Closure::one_sided, 0.0);
+    double const driven = contacts.pressure[0];
+    BOOST_TEST(driven > 1.0 + 0.5 * (gamma + 1.0) * 4.0);
+    wall.velocity = {};
+    wall.pressure = [driven](Vector<1> const&, double) { return driven; };
+    fill_boundary_values(contacts, wall, scene.particles, {BoundaryValue::velocity}, Closure::one_sided, 0.0);
+    BOOST_TEST(contacts.velocity[0][0] == -2.0 * side, tolerance(1e-12));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_does_not_depend_on_the_frame, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Random random(9);
+  Vector<Dim> const boost = random.vector<Dim>(-20.0, 20.0);
+  Scene<Dim> scene = random_scene<Dim>(5, 60, {BoundaryValue::velocity}, {BoundaryValue::pressure});
+  for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
+  Scene<Dim> moving = scene;
+  for (std::size_t i = 0; i < 60; ++i) moving.particles.vector(Field::velocity).add(i, boost);
+  moving.walls[0].velocity = [boost, old = scene.walls[0].velocity](
+                                 Vector<Dim> const& x, double t) -> Vector<Dim> { return old(x, t) + boost; };
+  constexpr BoundaryValueSet both{BoundaryValue::pressure, BoundaryValue::velocity};
+  for (std::size_t w = 0; w < 2; ++w) {
+    WallContacts<Dim> one = contacts_of(scene, w);
+    WallContacts<Dim> other = contacts_of(moving, w);
+    fill_boundary_values(one, scene.walls[w], scene.particles, both, Closure::one_sided, 0.0);
+    fill_boundary_values(other, moving.walls[w], moving.particles, both, Closure::one_sided, 0.0);
+    BOOST_TEST(relative_difference(other.pressure, one.pressure) < 1e-12);
+    for (std::size_t c = 0; c < one.size(); ++c)
+      BOOST_TEST((other.velocity[c] - one.velocity[c] - boost).norm() < 1e-12);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_interpolates_where_no_gas_is_known_or_no_partner_given, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  constexpr BoundaryValueSet both{BoundaryValue::pressure, BoundaryValue::velocity};
+  auto const check = [&](BoundaryValueSet prescribed, double gamma, bool expected) {
+    Scene<Dim> scene = random_scene<Dim>(7, 60, prescribed, {});
+    scene.walls[0].gamma = gamma;
+    WallContacts<Dim> one = contacts_of(scene);
+    WallContacts<Dim> other = contacts_of(scene);
+    fill_boundary_values(one, scene.walls[0], scene.particles, both, Closure::interpolated, 0.0);
+    fill_boundary_values(other, scene.walls[0], scene.particles, both, Closure::one_sided, 0.0);
+    bool same = same_bits(one.pressure, other.pressure);
+    for (int k = 0; k < Dim; ++k)
+      same = same && same_bits(one.velocity.component(k), other.velocity.component(k));
+    BOOST_TEST(same == expected);
+  };
+  check({BoundaryValue::velocity}, 0.0, true);
+  check({BoundaryValue::pressure}, 0.0, true);
+  check({BoundaryValue::velocity}, 1.0, true);
+  check({}, 1.4, true);
+  check(both, 1.4, true);  // prescribed, both of them
+  check({BoundaryValue::velocity}, 1.4, false);
+  check({BoundaryValue::pressure}, 1.4, false);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

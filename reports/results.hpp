@@ -209,6 +209,7 @@ struct SeriesLevel {
 
 struct OrderEntry {
   std::string field, region, norm;
+  double allowed = 2.0;  ///< highest order that the solution allows in this norm
   ObservedOrder observed;
   std::vector<SeriesLevel> levels;
 };
@@ -229,6 +230,7 @@ struct Series {
   Discretisation discretisation;  ///< of the first run
   double smoothing_exponent = 0.0;
   std::vector<std::size_t> runs;  ///< indices into Results::runs
+  bool discontinuous = false;     ///< the exact solution jumps
   std::vector<OrderEntry> orders;
   std::vector<TimeToError> time_to_error;
 };

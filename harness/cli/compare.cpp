@@ -42,7 +42,8 @@ void add_compare(CLI::App& app) {
       ->check(CLI::IsMember({"table", "markdown", "csv", "json"}));
   sub->add_option("--region", command->options.region, "all, interior or wall")
       ->check(CLI::IsMember({"all", "interior", "wall"}));
-  sub->add_option("--norm", command->options.norm, "l1, l2 or linf")
+  sub->add_option("--norm", command->options.norm,
+                  "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
       ->check(CLI::IsMember({"l1", "l2", "linf"}));
   sub->footer("Example: sphverify compare results.json --region wall --norm linf");
   sub->callback([command] { compare_documents(*command); });

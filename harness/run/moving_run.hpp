@@ -7,9 +7,10 @@ namespace sphverify {
 
 /// Runs a moving gas and writes what the options ask for into the record.
 ///
-/// The error of time integration is measured: each run is repeated with half the step (leapfrog) or a
-/// hundredth of the tolerance (runge-kutta), until that changes no field's error by more than 1%, in any
-/// region and norm, or the ladder ends; the looser of the last two is the run's result and what it costs.
+/// The error of time integration is measured. A leapfrog run is repeated with half the step; runge-kutta from
+/// a loose tolerance to tight, a hundredfold at a time, until tightening it once more changes no field's
+/// error by more than 1%, in any region and norm. The looser of the last two is the run's result and what it
+/// costs.
 template <int Dim>
 void run_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
                 RunRecord& record);

@@ -36,7 +36,7 @@ bool suits(CaseKind kind, std::string const& density) {
 }
 
 bool integrates(CaseKind kind, std::string const& integrator) {
-  return integrator == "bdf" ? !moves(kind) : integrator == "leapfrog" ? moves(kind) : true;
+  return integrator == "bdf" ? !moves(kind) : integrator == "runge-kutta" ? true : moves(kind);
 }
 
 /// Whether a wall goes with the gas that it pushes.
@@ -169,6 +169,7 @@ Expansion expand(Study const& study) {
           skip_once({info.id, label, reason});
           continue;
         }
+        if (d.integrator == "auto") d.integrator = info.discontinuous ? "leapfrog" : "runge-kutta";
         for (ViscosityChoice const& viscosity : viscosities(study, info)) {
           d.viscosity = viscosity;
           for (double const exponent : study.smoothing_exponents) {

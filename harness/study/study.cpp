@@ -222,8 +222,9 @@ Study read_study(Node const& document) {
                                defaults(study.cases, "given", "continuity"));
   study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), {"exact"});
   study.closures = read_words(find_choice(document, "closure"), closure_words.all(), {"interpolated"});
-  study.integrators = read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta", "leapfrog"},
-                                 defaults(study.cases, "bdf", "leapfrog"));
+  study.integrators =
+      read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta", "leapfrog", "auto"},
+                 defaults(study.cases, "bdf", "auto"));
   study.smoothings = read_words(find_choice(document, "smoothing"), {"uniform", "adaptive"}, {"uniform"});
   study.wall_motions =
       read_words(find_choice(document, "wall_motion"), wall_motion_words.all(), {"velocity"});

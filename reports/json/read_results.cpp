@@ -184,13 +184,11 @@ Series read_series(Node const& node) {
   s.label = node.at("label").string();
   s.discretisation = read_discretisation(node.at("discretisation"));
   s.smoothing_exponent = node.at("smoothing_exponent").number();
+  s.discontinuous = node.at("discontinuous").boolean();
   for (Node const& run : node.at("runs").elements()) s.runs.push_back(count(run));
   for (Node const& entry : node.at("orders").elements()) {
-    OrderEntry e{entry.at("field").string(),
-                 entry.at("region").string(),
-                 entry.at("norm").string(),
-                 read_order(entry),
-                 {}};
+    OrderEntry e{entry.at("field").string(),   entry.at("region").string(), entry.at("norm").string(),
+                 entry.at("allowed").number(), read_order(entry),           {}};
     for (Node const& level : entry.at("levels").elements()) {
       e.levels.push_back({static_cast<int>(count(level.at("resolution"))), measured(level.at("spacing")),
                           static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),

@@ -140,7 +140,7 @@ Json to_json(ObservedOrder const& o) {
 }
 
 Json to_json(OrderEntry const& e) {
-  Json json = {{"field", e.field}, {"region", e.region}, {"norm", e.norm}};
+  Json json = {{"field", e.field}, {"region", e.region}, {"norm", e.norm}, {"allowed", e.allowed}};
   json.update(to_json(e.observed));
   json["levels"] = Json::array();
   for (SeriesLevel const& level : e.levels) {
@@ -169,6 +169,7 @@ Json to_json(Series const& s) {
   // Replicates differ in the seed alone: a series has none.
   if (s.discretisation.layout.id == "jittered") json["discretisation"]["layout"].erase("seed");
   json["smoothing_exponent"] = s.smoothing_exponent;
+  json["discontinuous"] = s.discontinuous;
   json["runs"] = s.runs;
   json["orders"] = Json::array();
   for (OrderEntry const& entry : s.orders) json["orders"].push_back(to_json(entry));

@@ -40,19 +40,29 @@ std::string layout_name(LayoutChoice const& layout) {
   return layout.id == "jittered" ? fmt::format("jitter {:g}", layout.amplitude) : layout.id;
 }
 
-/// "brookshaw" for "conduction/brookshaw": within a case the room says nothing.
+/// Without its rooms: "brookshaw" for "conduction/brookshaw", "p-rho2 + internal-energy".
 std::string short_name(SeriesRow const& row) {
-  std::string name = row.formulation;
+  std::string name;
+  for (std::size_t start = 0; start < row.formulation.size();) {
+    std::size_t const end = std::min(row.formulation.find(" + ", start), row.formulation.size());
+    std::string const part = row.formulation.substr(start, end - start);
+    std::size_t const slash = part.find('/');
+    if (!name.empty()) name += " + ";
+    name += slash == std::string::npos ? part : part.substr(slash + 1);
+    start = end + 3;
+  }
   std::string const off = " (walls off)";
   if (name.ends_with(off)) name.erase(name.size() - off.size());
-  auto const slash = name.find('/');
-  if (name.find(" + ") == std::string::npos && slash != std::string::npos) name = name.substr(slash + 1);
   return row.walls ? name : name + " (off)";
+}
+
+std::string viscosity_name(ViscosityChoice const& v) {
+  return v == ViscosityChoice{} ? "off" : fmt::format("{:g} {:g}", v.alpha, v.beta);
 }
 
 /// Which of a discretisation's choices differ between the rows, and so must be named.
 struct Varying {
-  bool density, face_weight, closure, integrator, ratio, document;
+  bool density, face_weight, closure, wall_motion, integrator, smoothing, viscosity, ratio, document;
 
   explicit Varying(std::vector<SeriesRow> const& rows) {
     auto const varies = [&](auto const& key) {
@@ -72,7 +82,10 @@ struct Varying {
     };
     face_weight = with_walls([](SeriesRow const& r) { return r.discretisation.face_weight; });
     closure = with_walls([](SeriesRow const& r) { return r.discretisation.closure; });
+    wall_motion = with_walls([](SeriesRow const& r) { return r.discretisation.wall_motion; });
     integrator = varies([](SeriesRow const& r) { return r.discretisation.integrator; });
+    smoothing = varies([](SeriesRow const& r) { return r.discretisation.smoothing; });
+    viscosity = varies([](SeriesRow const& r) { return viscosity_name(r.discretisation.viscosity); });
     ratio = varies([](SeriesRow const& r) { return r.discretisation.smoothing_ratio; });
     document = varies([](SeriesRow const& r) { return r.document; });
   }
@@ -84,7 +97,10 @@ std::vector<std::string> row_key(SeriesRow const& row, Varying const& varying) {
   if (varying.density) key.push_back(row.discretisation.density);
   if (varying.face_weight) key.push_back(row.walls ? row.discretisation.face_weight : "");
   if (varying.closure) key.push_back(row.walls ? row.discretisation.closure : "");
+  if (varying.wall_motion) key.push_back(row.walls ? row.discretisation.wall_motion : "");
   if (varying.integrator) key.push_back(row.discretisation.integrator);
+  if (varying.smoothing) key.push_back(row.discretisation.smoothing);
+  if (varying.viscosity) key.push_back(viscosity_name(row.discretisation.viscosity));
   if (varying.document) key.push_back(row.document);
   return key;
 }
@@ -94,7 +110,10 @@ std::vector<std::string> row_header(Varying const& varying) {
   if (varying.density) header.emplace_back("density");
   if (varying.face_weight) header.emplace_back("face weight");
   if (varying.closure) header.emplace_back("closure");
+  if (varying.wall_motion) header.emplace_back("wall motion");
   if (varying.integrator) header.emplace_back("integrator");
+  if (varying.smoothing) header.emplace_back("smoothing");
+  if (varying.viscosity) header.emplace_back("viscosity");
   if (varying.document) header.emplace_back("results");
   return header;
 }
@@ -130,6 +149,22 @@ Cell error_cell(SeriesRow const& row) {
 Cell wall_flux_cell(SeriesRow const& row) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
   return {percent(row.wall_flux_error), row.wall_flux_error};
+}
+
+/// Pressure behind the shock, and what the wall has heated too much.
+Cell shock_cell(SeriesRow const& row) {
+  if (!row.failures.empty()) return {row.failures, std::nullopt};
+  if (!row.plateau_pressure) return {"-", std::nullopt};
+  auto const signed_percent = [](double value) { return fmt::format("{:+.2g}%", 100.0 * value); };
+  std::string text = signed_percent(*row.plateau_pressure);
+  if (row.wall_heating) text += " / " + signed_percent(*row.wall_heating);
+  return {text, std::abs(*row.plateau_pressure)};
+}
+
+Cell impulse_cell(SeriesRow const& row) {
+  if (!row.failures.empty()) return {row.failures, std::nullopt};
+  if (!row.wall_impulse_defect) return {"-", std::nullopt};
+  return {percent(row.wall_impulse_defect), row.wall_impulse_defect};
 }
 
 Cell time_cell(SeriesRow const& row, double fastest) {
@@ -188,8 +223,8 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
 /// Over everything that was run: how often each formulation converged, and how near it came.
 TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   TextTable table;
-  table.title = fmt::format("Summary over all cases and discretisations ({} error, region {})", options.norm,
-                            options.region);
+  table.title = fmt::format("Summary over all cases and discretisations ({} error, region {})",
+                            options.norm.empty() ? "l1 at jumps, else l2" : options.norm, options.region);
   table.header = {"formulation", "ladders", "settled", "unsettled", "floored",
                   "diverge",     "fail",    "median",  "worst",     "wall flux"};
   std::vector<std::string> labels;
@@ -252,7 +287,7 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
     }
     std::string const heading = fmt::format("{}\n  {}", case_id, parameters);
     text += render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
-                                     options.norm, field, options.region, chosen.front().finest),
+                                     chosen.front().norm, field, options.region, chosen.front().finest),
                          chosen, error_cell),
                    options.format, options.colour) +
             "\n";
@@ -266,6 +301,26 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
                            chosen, wall_flux_cell),
                      options.format, options.colour) +
               "\n";
+    }
+    if (has(&SeriesRow::plateau_pressure)) {
+      text +=
+          render(
+              pivot(
+                  fmt::format(
+                      "{}: pressure behind the shock / internal energy at the wall, relative errors, N = {}",
+                      case_id, chosen.front().finest),
+                  chosen, shock_cell),
+              options.format, options.colour) +
+          "\n";
+    }
+    if (has(&SeriesRow::wall_impulse_defect)) {
+      text +=
+          render(pivot(fmt::format(
+                           "{}: impulse that a wall gave in the scheme, against what it prescribes, N = {}",
+                           case_id, chosen.front().finest),
+                       chosen, impulse_cell),
+                 options.format, options.colour) +
+          "\n";
     }
     if (has(&SeriesRow::seconds_to_percent)) {
       double fastest = INFINITY;
@@ -297,7 +352,14 @@ std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {
           {"wall_budget_defect", row.wall_budget_defect},
           {"seconds", row.seconds},
           {"seconds_to_1_percent", row.seconds_to_percent},
-          {"time_error_share", row.time_error_share}};
+          {"time_error_share", row.time_error_share},
+          {"plateau_pressure_error", row.plateau_pressure},
+          {"shock_position_error", row.shock_position_error},
+          {"wall_heating", row.wall_heating},
+          {"wall_impulse_defect", row.wall_impulse_defect},
+          {"momentum_drift", row.momentum_drift},
+          {"energy_pair_drift", row.energy_pair_drift},
+          {"energy_routes", row.energy_routes}};
 }
 
 std::vector<std::pair<std::string, std::string>> words_of(SeriesRow const& row) {
@@ -310,10 +372,14 @@ std::vector<std::pair<std::string, std::string>> words_of(SeriesRow const& row) 
           {"face_weight", row.discretisation.face_weight},
           {"closure", row.discretisation.closure},
           {"integrator", row.discretisation.integrator},
+          {"wall_motion", row.discretisation.wall_motion},
+          {"smoothing", row.discretisation.smoothing},
+          {"viscosity", viscosity_name(row.discretisation.viscosity)},
           {"smoothing_ratio", fmt::format("{:g}", row.discretisation.smoothing_ratio)},
           {"smoothing_exponent", fmt::format("{:g}", row.smoothing_exponent)},
           {"finest", fmt::format("{}", row.finest)},
           {"field", row.field},
+          {"norm", row.norm},
           {"verdict", row.verdict},
           {"failures", row.failures}};
 }
@@ -334,7 +400,7 @@ std::string csv(std::vector<SeriesRow> const& rows) {
 std::string json(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   Json document = {{"schema", "sphverify-comparison/1"},
                    {"region", options.region},
-                   {"norm", options.norm},
+                   {"norm", options.norm.empty() ? "auto" : options.norm},
                    {"series", Json::array()}};
   for (SeriesRow const& row : rows) {
     Json entry;

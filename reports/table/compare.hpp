@@ -11,7 +11,7 @@ namespace sphverify {
 struct CompareOptions {
   TableFormat format = TableFormat::table;
   std::string region = "all";
-  std::string norm = "l2";
+  std::string norm;  ///< empty: l1 where the solution jumps, l2 elsewhere
   bool colour = false;
 };
 

@@ -12,7 +12,7 @@ namespace sphverify {
 namespace {
 
 /// The field that a case is about.
-constexpr std::array<char const*, 3> leading_fields{"temperature", "acceleration", "heating"};
+constexpr std::array<char const*, 4> leading_fields{"temperature", "velocity", "acceleration", "heating"};
 
 double norm_of(NormSet const& norms, std::string const& name) {
   return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
@@ -35,6 +35,31 @@ std::string parameters_text(std::map<std::string, ParameterValue> const& paramet
 }
 
 void raise(Number& largest, double value) { largest = std::max(largest.value_or(value), value); }
+
+/// Keeps the one that is furthest from 0, with its sign.
+void worsen(Number& worst, Number const& value) {
+  if (value && (!worst || std::abs(*value) > std::abs(*worst))) worst = value;
+}
+
+void read_motion(RunRecord const& run, SeriesRow& row) {
+  for (ShockRecord const& shock : run.shocks) {
+    worsen(row.plateau_pressure, shock.plateau_pressure);
+    worsen(row.shock_position_error, shock.position_error);
+  }
+  if (run.motion) {
+    worsen(row.wall_heating, run.motion->wall_heating);
+    worsen(row.energy_routes, run.motion->energy_routes);
+  }
+  double scale = 0.0;
+  double defect = 0.0;
+  for (WallBudget const& wall : run.wall_budgets) {
+    scale = std::max(scale, std::abs(wall.prescribed_impulse[0]));
+    defect = std::max(defect, std::abs(wall.impulse[0] - wall.prescribed_impulse[0]));
+  }
+  if (scale == 0.0) return;
+  worsen(row.wall_impulse_defect, defect / scale);
+  for (Budget const& momentum : run.momentum) worsen(row.momentum_drift, momentum.drift / scale);
+}
 
 void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesRow& row) {
   for (std::size_t const index : series.runs) row.finest = std::max(row.finest, runs[index].resolution);
@@ -59,6 +84,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       seconds += run.cost->seconds;
       ++timed;
     }
+    read_motion(run, row);
     for (WallFlux const& wall : run.wall_flux) {
       if (wall.scale > 0.0) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
       row.heat_crosses_walls = row.heat_crosses_walls || std::abs(wall.exact) > 1e-9 * wall.scale;
@@ -67,6 +93,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       Budget const& b = energy->second;
       double const scale = std::max(std::abs(b.initial), std::abs(b.final));
       raise(row.energy_drift, std::abs(b.drift) / (scale > 0.0 ? scale : 1.0));
+      if (b.pair_drift) worsen(row.energy_pair_drift, *b.pair_drift / (scale > 0.0 ? scale : 1.0));
       if (b.wall_budget_defect) {
         raise(row.wall_budget_defect, std::abs(*b.wall_budget_defect) / (scale > 0.0 ? scale : 1.0));
       }
@@ -89,6 +116,7 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
   }
   if (entry == nullptr) return;
   row.field = entry->field;
+  row.norm = norm;
   row.verdict = entry->observed.verdict;
   row.order = entry->observed.order;
   if (entry->observed.lower && entry->observed.upper) {
@@ -127,7 +155,9 @@ std::vector<SeriesRow> series_rows(std::vector<NamedResults> const& documents, s
       row.discretisation = series.discretisation;
       row.smoothing_exponent = series.smoothing_exponent;
       read_runs(series, document.results.runs, row);
-      read_order(series, document.results.runs, region, norm, row);
+      row.discontinuous = series.discontinuous;
+      std::string const by_case = series.discontinuous ? "l1" : "l2";
+      read_order(series, document.results.runs, region, norm.empty() ? by_case : norm, row);
       rows.push_back(std::move(row));
     }
   }

@@ -14,7 +14,9 @@ struct SeriesRow {
   Discretisation discretisation;
   double smoothing_exponent;
 
-  std::string field;      ///< the one whose error is shown
+  std::string field;  ///< the one whose error is shown
+  std::string norm;   ///< of it
+  bool discontinuous = false;
   int finest = 0;         ///< resolution
   Number error;           ///< at the finest level, absolute
   Number relative_error;  ///< to the same norm of the exact field
@@ -30,9 +32,19 @@ struct SeriesRow {
   bool percent_is_bound = false;    ///< the coarsest level reached it already
   bool heat_crosses_walls = false;  ///< an exact wall flux is not zero
   Number time_error_share;          ///< largest over all runs of the series
+
+  // Of a moving gas, the worst at the finest level.
+  Number plateau_pressure;      ///< relative error behind a shock
+  Number shock_position_error;  ///< [m]
+  Number wall_heating;          ///< relative error of the internal energy nearest a wall
+  Number wall_impulse_defect;   ///< of the largest impulse that a wall prescribes
+  Number momentum_drift;        ///< of the same
+  Number energy_pair_drift;     ///< of the energy
+  Number energy_routes;         ///< relative difference between the two work forms
 };
 
 /// The rows of all documents, in their order.
+/// @param norm empty: l1 where the solution jumps, else l2
 std::vector<SeriesRow> series_rows(std::vector<NamedResults> const& documents, std::string const& region,
                                    std::string const& norm);
 

@@ -1,5 +1,6 @@
 #include "formulations/support/wall_riemann.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <vector>
 

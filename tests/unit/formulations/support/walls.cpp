@@ -463,8 +463,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_leaves_alone_what_the_wall_prescribes, D,
   BOOST_TEST(same_bits(one.pressure, other.pressure));
   BOOST_TEST(same_bits(one.temperature, other.temperature));
   BOOST_TEST(same_bits(one.conductivity, other.conductivity));
-  for (int k = 0; k < Dim; ++k)
-    BOOST_TEST(same_bits(one.velocity.component(k), other.velocity.component(k)));
+  for (int k = 0; k < Dim; ++k) BOOST_TEST(same_bits(one.velocity.component(k), other.velocity.component(k)));
 }
 
 // The reference is the Riemann problem between the gas and its mirror image, where the contact is the wall.

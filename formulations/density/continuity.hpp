@@ -19,7 +19,8 @@ struct ContinuityDensity {
       .title = "Continuity equation with wall terms",
       .source = "ours, derived as Campbell 1989, Eq. 42",
       .equation = "drho_i/dt = sum_j m_j (v_i - v_j).grad_i W_ij + rho_B (v_i - v_B).S_i",
-      .remarks = "Galilean invariant; near a wall it sees only the part Gamma of a compression.",
+      .remarks =
+          "Galilean invariant as far as v_B is; near a wall it sees only the part Gamma of a compression.",
       .rate = Rate::density,
       .reads = {Field::density, Field::velocity},
       .kernel = {KernelWeight::gradient},

@@ -81,6 +81,36 @@ Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude
   return layout;
 }
 
+Layout<1> equal_mass(Domain<1> const& domain, int resolution,
+                     std::function<double(double x)> const& density) {
+  expects(resolution > 0);
+  // Mass from the lower end at the edges of cells much finer than the particles, by the midpoint rule, which
+  // takes a jump between two cells as it is.
+  constexpr int cells_per_particle = 256;
+  std::size_t const cells = static_cast<std::size_t>(resolution) * cells_per_particle;
+  double const width = domain.extent()[0] / static_cast<double>(cells);
+  double const lower = domain.lower[0];
+  std::vector<double> mass(cells + 1, 0.0);
+  for (std::size_t c = 0; c < cells; ++c) {
+    mass[c + 1] = mass[c] + width * density(lower + (static_cast<double>(c) + 0.5) * width);
+  }
+  double const share = mass.back() / resolution;
+  Layout<1> layout;
+  layout.spacing = domain.extent()[0] / resolution;
+  layout.cell = Vector<1>(layout.spacing);
+  layout.positions = VectorField<1>(static_cast<std::size_t>(resolution));
+  std::size_t c = 0;
+  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
+    double const wanted = (static_cast<double>(i) + 0.5) * share;
+    while (mass[c + 1] < wanted) ++c;
+    double const part = (wanted - mass[c]) / (mass[c + 1] - mass[c]);
+    double const x = lower + (static_cast<double>(c) + part) * width;
+    layout.positions.set(i, Vector<1>(x));
+    layout.volumes.push_back(share / density(x));
+  }
+  return layout;
+}
+
 template Layout<1> lattice(Domain<1> const&, int);
 template Layout<2> lattice(Domain<2> const&, int);
 template Layout<3> lattice(Domain<3> const&, int);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct Layout {
 /// as many as make the cells most nearly cubic.
 template <int Dim>
 Layout<Dim> lattice(Domain<Dim> const& domain, int resolution);
+
+/// Particles of equal mass in one dimension: where the mass from the lower end reaches (i + 1/2)/resolution
+/// of the whole. Volumes are masses over the density there. Expects a density that is positive throughout.
+Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<double(double x)> const& density);
 
 /// The lattice with every coordinate displaced by a uniform deviate in +-amplitude cells, the same on every
 /// machine for one seed. Volumes are Voronoi volumes in 1D, cell volumes otherwise. Expects 0 <= amplitude <

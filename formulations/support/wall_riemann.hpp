@@ -11,6 +11,7 @@ namespace sphverify {
 
 /// Pressure at a wall that a gas of density rho and pressure P meets with a closing speed (v - v_B).n,
 /// negative where they part; 0 where the gas cannot follow.  [Pa]
+/// P >= 0.
 inline double pressure_at_wall(double rho, double P, double closing_speed, double gamma) {
   if (closing_speed > 0.0) {
     double const A = 2.0 / ((gamma + 1.0) * rho);
@@ -33,8 +34,8 @@ inline double closing_speed_at_wall(double rho, double P, double wall_pressure, 
   }
   if (P <= 0.0) return 0.0;
   double const c = std::sqrt(gamma * P / rho);
-  double const ratio = std::fmax(wall_pressure, 0.0) / P;
-  return 2.0 * c / (gamma - 1.0) * (std::pow(ratio, 0.5 * (gamma - 1.0) / gamma) - 1.0);
+  if (wall_pressure <= 0.0) return -2.0 * c / (gamma - 1.0);
+  return 2.0 * c / (gamma - 1.0) * std::expm1(0.5 * (gamma - 1.0) / gamma * std::log(wall_pressure / P));
 }
 
 }  // namespace sphverify

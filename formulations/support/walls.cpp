@@ -200,7 +200,7 @@ void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
   }
 }
 
-/// The gas at a contact's foot point, by the quotient.
+/// The gas at a contact's foot point, by the quotient. A gas that has lost its pressure sends no wave.
 template <int Dim>
 struct GasAtFoot {
   double rho, P;
@@ -208,7 +208,8 @@ struct GasAtFoot {
 
   GasAtFoot(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles)
       : rho(interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::density))),
-        P(interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::pressure))),
+        P(std::max(
+            0.0, interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::pressure)))),
         v(interpolated(contacts, c, particles, Closure::quotient, particles.vector(Field::velocity))) {}
 };
 

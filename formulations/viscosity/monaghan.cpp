@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "formulations/support/expects.hpp"
 #include "formulations/support/smoothing_length.hpp"
 #include "formulations/support/sweep.hpp"
 
@@ -47,6 +48,7 @@ template <int Dim>
 void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> const& contacts, double share,
                       Particles<Dim> const& particles, Vector<Dim>& force, double& power,
                       ViscousRates<Dim>& rates) {
+  expects(contacts.velocity.size() == contacts.size());
   SmoothingLength const h(particles);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     std::uint32_t const i = contacts.particle[k];
@@ -82,6 +84,7 @@ void evaluate_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    if (!geometry.walls[w].velocity) continue;
     bool const whole_stress = geometry.walls[w].pressure || closure == Closure::one_sided;
     add_viscous_wall(viscosity, geometry.contacts[w], whole_stress ? 0.5 : 1.0, particles,
                      rates.wall_force[w], rates.wall_power[w], rates);

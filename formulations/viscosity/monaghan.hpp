@@ -42,10 +42,11 @@ struct ViscousRates {
 ///   a_i     = -sum_j m_j Pi_ij grad_i W_ij                       - Pi_iB rho_B S_i
 ///   de_i/dt = 1/2 sum_j m_j Pi_ij (v_i - v_j).grad_i W_ij        + Pi_iB rho_B (v_i - v_B).S_i
 ///
-/// Pairs conserve momentum and internal plus kinetic energy. The wall terms are ours: they treat a wall as
-/// the partner at the foot point, as the schemes do (m_j grad_i W_ij becomes rho_B S_i), so that cold gas
-/// does not run into it unopposed. All of their heat stays in the gas, so that a wall at rest gives it no
-/// energy.
+/// Pairs conserve momentum and internal plus kinetic energy. The wall terms are ours: they treat a wall of
+/// prescribed velocity as the partner at the foot point, as the schemes do (m_j grad_i W_ij becomes rho_B
+/// S_i), so that cold gas does not run into it unopposed. All of their heat stays in the gas, so that a wall
+/// at rest gives it no energy. Where the wall moves as its closure says it has none: a closure that does not
+/// return constants would rub against gas that moves along with the wall.
 ///
 /// Pi_iB stands for the gas's viscous pressure q_i/rho_i^2 and the wall's, one half each. Where the wall's
 /// P_B is the whole stress there, because it is prescribed or because Closure::one_sided has solved for it,

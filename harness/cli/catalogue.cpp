@@ -100,6 +100,14 @@ void add_words(std::vector<CatalogueEntry>& all) {
                        {"parameters", Json::array({"amplitude, in dx, below 0.5",
                                                    "seed, or a list of seeds: replicates of each level"})}};
                  }});
+  all.push_back(
+      {"layouts", "equal-mass", "Particles of equal mass, in one dimension", "", [] {
+         return Json{
+             {"equation",
+              "positions where the mass from the lower end is (i + 1/2)/N of the whole; in regions of "
+              "different density use it with smoothing: adaptive"},
+             {"parameters", Json::array()}};
+       }});
   for (MeasureWord const& word : measure_words()) {
     all.push_back({"measures", std::string(word.word), std::string(word.title), "", [] {
                      return Json{{"parameters", Json::array()}};

@@ -76,7 +76,7 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
 
 template <int Dim>
 void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
-  Layout<Dim> layout = place(problem_.domain, choice.discretisation.layout, choice.resolution);
+  Layout<Dim> layout = place(problem_, choice.discretisation.layout, choice.resolution);
   ++passes_["layout"];
   spacing_ = layout.spacing;
   std::size_t const n = layout.volumes.size();
@@ -313,9 +313,10 @@ void MovingScene<Dim>::set_density(CellGrid<Dim> const& grid) {
 }
 
 /// Solves h_i = (h/dx) (m_i/rho_i(h_i))^(1/Dim) for all particles by fixed-point iteration, which converges
-/// at the rate at which the density hardly depends on h.
+/// at the rate at which the density hardly depends on h; at a jump it may swing, and is damped.
 template <int Dim>
 void MovingScene<Dim>::adapt_smoothing_length_to_sum() {
+  constexpr int undamped = 10;
   auto& h = particles_.smoothing_lengths();
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     CellGrid<Dim> const grid(particles_.positions(), problem_.domain,
@@ -324,9 +325,13 @@ void MovingScene<Dim>::adapt_smoothing_length_to_sum() {
     std::vector<double> const before = h;
     set_smoothing_length();
     double change = 0.0;
-    for (std::size_t i = 0; i < h.size(); ++i) change = std::max(change, std::abs(h[i] / before[i] - 1.0));
-    if (change < 1e-12) return;
+    for (std::size_t i = 0; i < h.size(); ++i) {
+      change = std::max(change, std::abs(h[i] / before[i] - 1.0));
+      if (iteration >= undamped) h[i] = 0.5 * (h[i] + before[i]);
+    }
+    if (change < 1e-10) return;
   }
+  throw std::invalid_argument("the smoothing lengths that the summed density asks for do not settle");
 }
 
 template <int Dim>

@@ -24,7 +24,7 @@ Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
 
 template <int Dim>
 void Scene<Dim>::place_particles(SceneChoice const& choice) {
-  Layout<Dim> layout = place(problem_.domain, choice.discretisation.layout, choice.resolution);
+  Layout<Dim> layout = place(problem_, choice.discretisation.layout, choice.resolution);
   ++passes_["layout"];
   spacing_ = layout.spacing;
   particles_ = Particles<Dim>(layout.volumes.size(), choice.smoothing_ratio * spacing_);

@@ -100,7 +100,7 @@ FormulationChoice read_formulation(Node const& node) {
 }
 
 std::vector<LayoutChoice> read_layout(Node const& node) {
-  std::vector<std::string> const ids{"lattice", "jittered"};
+  std::vector<std::string> const ids{"lattice", "jittered", "equal-mass"};
   if (node.is_string()) {
     std::string const id = node.word(ids);
     if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
@@ -108,7 +108,7 @@ std::vector<LayoutChoice> read_layout(Node const& node) {
   }
   node.require_keys({"id", "amplitude", "seed", "seeds"});
   std::string const id = node.at("id").word(ids);
-  if (id == "lattice") {
+  if (id != "jittered") {
     node.require_keys({"id"});
     return {{id}};
   }

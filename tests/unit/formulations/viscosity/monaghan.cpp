@@ -103,7 +103,7 @@ Expected<Dim> equation(Scene<Dim> const& scene, MonaghanViscosity const& viscosi
       e.largest_mu[i] = std::max(e.largest_mu[i], -mu_ij);
     }
     for (std::size_t w = 0; w < walls; ++w) {
-      if (!s.touches(i, w)) continue;
+      if (!s.touches(i, w) || !scene.walls[w].velocity) continue;
       bool const whole_stress =
           scene.walls[w].prescribes(BoundaryValue::pressure) || scene.closure == Closure::one_sided;
       Vector<Dim> const r = s.x(i) - s.foot(i, w);

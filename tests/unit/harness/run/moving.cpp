@@ -1,0 +1,623 @@
+#include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "harness/run/moving_gas.hpp"
+#include "tests/support/runs.hpp"
+
+BOOST_AUTO_TEST_SUITE(harness_run_moving)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+using boost::test_tools::tolerance;
+
+/// A moving gas, as a study would run it.
+struct Gas {
+  std::string scene_case;
+  std::string formulation = "momentum/p-rho2", work = "work/internal-energy", conduction = "";
+  int resolution = 30;
+  Discretisation discretisation = {};
+  std::vector<std::pair<std::string, ParameterValue>> parameters = {};
+  double smoothing_ratio = 1.2;
+};
+
+constexpr ViscosityChoice usual_viscosity{1.0, 2.0};
+
+Discretisation moved_by(std::string const& integrator, ViscosityChoice viscosity,
+                        std::string const& density = "continuity") {
+  Discretisation d;
+  d.density = density;
+  d.integrator = integrator;
+  d.viscosity = viscosity;
+  return d;
+}
+
+RunSpec spec_of(Gas const& gas) {
+  RunSpec spec = make_spec({.scene_case = gas.scene_case,
+                            .formulation = gas.formulation,
+                            .resolution = gas.resolution,
+                            .smoothing_ratio = gas.smoothing_ratio,
+                            .discretisation = gas.discretisation,
+                            .parameters = gas.parameters});
+  spec.formulation.work = gas.work;
+  spec.formulation.conduction = gas.conduction;
+  return spec;
+}
+
+RunRecord run(Gas const& gas, MeasureSet measure, double time_budget = 0.0) {
+  RunOptions options;
+  options.measure = measure;
+  options.time_budget = time_budget;
+  return execute(spec_of(gas), options);
+}
+
+RunRecord run_well(Gas const& gas, MeasureSet measure) {
+  RunRecord const record = run(gas, measure);
+  BOOST_TEST_REQUIRE(record.status == "ok", gas.scene_case << " " << gas.formulation << ": " << record.reason);
+  return record;
+}
+
+Problem<1> problem_of(Gas const& gas) {
+  RunSpec const spec = spec_of(gas);
+  return std::get<Problem<1>>(spec.scene_case->problem(spec.parameters));
+}
+
+SceneChoice choice_of(Gas const& gas) {
+  return {.formulation = gas.formulation,
+          .work = gas.work,
+          .conduction = gas.conduction,
+          .discretisation = gas.discretisation,
+          .resolution = gas.resolution,
+          .smoothing_ratio = gas.smoothing_ratio};
+}
+
+/// The gas at its final time; `rung` is the part of the usual step limits, or the tolerance of runge-kutta.
+std::unique_ptr<MovingGas<1>> integrated(Gas const& gas, std::string const& method, double rung) {
+  auto moving =
+      std::make_unique<MovingGas<1>>(problem_of(gas), choice_of(gas), method == "leapfrog" ? rung : 1.0);
+  OdeResult const result = moving->integrate(method, {rung, rung},
+                                             [](double, GasBudgets<1> const&) -> std::string { return ""; });
+  BOOST_TEST_REQUIRE((result.outcome == OdeOutcome::finished), result.reason);
+  return moving;
+}
+
+double root_mean_square(std::vector<double> const& a, std::vector<double> const& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+std::vector<double> const& velocities(MovingGas<1> const& gas) {
+  return gas.scene().particles().vector(Field::velocity).component(0);
+}
+
+std::vector<double> const& energies(MovingGas<1> const& gas) {
+  return gas.scene().particles().scalar(Field::internal_energy);
+}
+
+std::string const p_rho2 = "momentum/p-rho2";
+std::string const sqrt_p = "momentum/sqrt-p";
+
+// ---- Rest
+
+BOOST_AUTO_TEST_CASE(a_uniform_gas_without_walls_stays_at_rest_and_runs_no_wall_pass) {
+  for (char const* density : {"continuity", "summation", "normalised"}) {
+    for (char const* integrator : {"leapfrog", "runge-kutta"}) {
+      for (std::string const& formulation : {p_rho2, sqrt_p}) {
+        Gas gas{.scene_case = "hydro/uniform", .formulation = formulation};
+        gas.work = formulation == sqrt_p ? "work/sqrt-p" : "work/internal-energy";
+        gas.discretisation = moved_by(integrator, usual_viscosity, density);
+        gas.parameters = {{"boundary", std::string("periodic")}};
+        RunRecord const record = run_well(gas, {Measure::error, Measure::conservation});
+        BOOST_TEST(record.errors.at("velocity").at("all").error.linf < 1e-12);
+        BOOST_TEST(std::abs(record.momentum.at(0).final) < 1e-13);
+        BOOST_TEST(!record.scene.passes.contains("wall-contacts"));
+        BOOST_TEST(record.scene.passes.contains("neighbour-search"));
+        BOOST_TEST(record.wall_budgets.empty());
+      }
+    }
+  }
+  Gas const walled{.scene_case = "hydro/uniform", .discretisation = moved_by("leapfrog", {})};
+  BOOST_TEST(run_well(walled, {Measure::error}).scene.passes.at("wall-contacts") > 0u);
+}
+
+BOOST_AUTO_TEST_CASE(a_uniform_gas_beside_a_wall_is_not_at_rest_until_h_grows_over_the_spacing) {
+  auto const push = [](std::string const& formulation, double smoothing_ratio) {
+    Gas const gas{.scene_case = "hydro/uniform",
+                  .formulation = formulation,
+                  .resolution = 40,
+                  .discretisation = moved_by("leapfrog", {}),
+                  .parameters = {{"pressure", 3.0}, {"density", 2.0}},
+                  .smoothing_ratio = smoothing_ratio};
+    MovingScene<1> scene(problem_of(gas), choice_of(gas));
+    scene.evaluate(0.0, scene.initial_state().data());
+    std::vector<double> rates(scene.unknowns());
+    scene.rates(rates.data());
+    // Of the first particle, over P/(rho dx).
+    return rates[scene.coordinates()] / (3.0 / 2.0 * 40.0);
+  };
+  for (std::string const& formulation : {p_rho2, sqrt_p}) {
+    BOOST_TEST(push(formulation, 1.2) == -0.063, tolerance(0.02));
+    BOOST_TEST(std::abs(push(formulation, 1.8)) < 0.015);
+    BOOST_TEST(std::abs(push(formulation, 4.8)) < 0.002);
+  }
+}
+
+// ---- Conservation
+
+struct Conserved {
+  std::string formulation, work;
+  ViscosityChoice viscosity;
+  std::string smoothing;
+  double jitter;
+  std::string density = "continuity", integrator = "leapfrog";
+};
+
+std::ostream& operator<<(std::ostream& out, Conserved const& c) {
+  return out << c.formulation << " " << c.work << " " << c.density << " " << c.smoothing << " viscosity "
+             << c.viscosity.alpha << " jitter " << c.jitter << " " << c.integrator;
+}
+
+RunRecord budgets_of(Conserved const& c, std::string const& scene_case, int resolution, double final_time,
+                     double dimension = 1.0) {
+  Gas gas{.scene_case = scene_case, .formulation = c.formulation, .work = c.work, .resolution = resolution};
+  gas.discretisation = moved_by(c.integrator, c.viscosity, c.density);
+  gas.discretisation.smoothing = c.smoothing;
+  if (c.jitter > 0.0) gas.discretisation.layout = {"jittered", c.jitter, 3};
+  gas.parameters = {{"final_time", final_time}};
+  if (dimension > 1.0) gas.parameters.emplace_back("dimension", dimension);
+  return run_well(gas, {Measure::conservation});
+}
+
+BOOST_AUTO_TEST_CASE(pairs_of_partners_create_neither_momentum_nor_energy) {
+  for (auto const& [formulation, work] :
+       {std::pair<char const*, char const*>{"momentum/p-rho2", "work/internal-energy"},
+        {"momentum/p-rho2", "work/total-energy"},
+        {"momentum/sqrt-p", "work/sqrt-p"}}) {
+    for (ViscosityChoice const viscosity : {ViscosityChoice{}, usual_viscosity}) {
+      for (char const* smoothing : {"uniform", "adaptive"}) {
+        for (double const jitter : {0.0, 0.15}) {
+          for (auto const& [density, integrator] :
+               {std::pair<char const*, char const*>{"continuity", "leapfrog"},
+                {"normalised", "leapfrog"},
+                {"continuity", "runge-kutta"}}) {
+            Conserved const c{formulation, work, viscosity, smoothing, jitter, density, integrator};
+            // Walls that move and sources, and gas that is far from at rest.
+            RunRecord const record = budgets_of(c, "hydro/manufactured", 24, 0.05);
+            Budget const& momentum = record.momentum.at(0);
+            Budget const& energy = record.conservation.at("energy");
+            BOOST_TEST(std::abs(momentum.pair_drift.value()) < 1e-14, c);
+            BOOST_TEST(std::abs(momentum.drift) < 1e-14, c << ": " << momentum.drift);
+            BOOST_TEST(std::abs(energy.pair_drift.value()) < 1e-14, c);
+            // Time stepping keeps what it is linear in.
+            bool const linear = c.work == "work/total-energy";
+            BOOST_TEST(std::abs(energy.drift) < (linear ? 2e-14 : 2e-5), c << ": " << energy.drift);
+            BOOST_TEST(std::abs(energy.exchanged) > 1e-3, c);
+          }
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(pairs_of_partners_conserve_in_two_dimensions) {
+  for (auto const& [formulation, work] :
+       {std::pair<char const*, char const*>{"momentum/p-rho2", "work/internal-energy"},
+        {"momentum/p-rho2", "work/total-energy"},
+        {"momentum/sqrt-p", "work/sqrt-p"}}) {
+    Conserved const c{formulation, work, usual_viscosity, "adaptive", 0.15};
+    RunRecord const record = budgets_of(c, "hydro/manufactured", 8, 0.02, 2.0);
+    BOOST_TEST_REQUIRE(record.momentum.size() == 2u);
+    for (Budget const& momentum : record.momentum) {
+      BOOST_TEST(std::abs(momentum.pair_drift.value()) < 1e-14, c);
+      BOOST_TEST(std::abs(momentum.drift) < 1e-14, c);
+    }
+    Budget const& energy = record.conservation.at("energy");
+    BOOST_TEST(std::abs(energy.pair_drift.value()) < 1e-14, c);
+    if (c.work == "work/total-energy") BOOST_TEST(std::abs(energy.drift) < 2e-14, c);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(direct_gradient_creates_momentum_and_energy) {
+  for (double const jitter : {0.0, 0.15}) {
+    Conserved const c{"momentum/direct-gradient", "work/internal-energy", {}, "uniform", jitter};
+    RunRecord const record = budgets_of(c, "hydro/manufactured", 24, 0.05);
+    Budget const& momentum = record.momentum.at(0);
+    Budget const& energy = record.conservation.at("energy");
+    BOOST_TEST(std::abs(momentum.pair_drift.value()) > 1e-4, c);
+    BOOST_TEST(std::abs(energy.pair_drift.value()) > 1e-4, c);
+    // The drift is the pairs' work.
+    BOOST_TEST(std::abs(momentum.drift - *momentum.pair_drift) < 1e-14, c);
+    BOOST_TEST(std::abs(energy.drift - *energy.pair_drift) < 1e-5, c);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(what_is_no_partner_creates_energy) {
+  Conserved const c{sqrt_p, "work/internal-energy", usual_viscosity, "uniform", 0.15};
+  Budget const energy = budgets_of(c, "hydro/piston-velocity", 30, 0.2).conservation.at("energy");
+  BOOST_TEST(std::abs(energy.pair_drift.value()) > 1e-6);
+}
+
+BOOST_AUTO_TEST_CASE(budgets_add_up_wall_by_wall) {
+  for (char const* scene_case : {"hydro/piston-velocity", "hydro/piston-pressure", "hydro/noh"}) {
+    Gas const gas{.scene_case = scene_case,
+                  .resolution = 40,
+                  .discretisation = moved_by("leapfrog", usual_viscosity),
+                  .parameters = {{"final_time", 0.2}}};
+    RunRecord const record = run_well(gas, {Measure::conservation});
+    Budget const& momentum = record.momentum.at(0);
+    Budget const& energy = record.conservation.at("energy");
+    for (Budget const& b : {momentum, energy}) BOOST_TEST(b.final == b.initial + b.exchanged + b.drift);
+    BOOST_TEST_REQUIRE(record.wall_budgets.size() == 2u);
+    double impulse = 0.0, given = 0.0, impulse_defect = 0.0, energy_defect = 0.0;
+    for (WallBudget const& wall : record.wall_budgets) {
+      impulse += wall.impulse.at(0);
+      given += wall.energy;
+      impulse_defect += wall.impulse[0] - wall.prescribed_impulse.at(0);
+      energy_defect += wall.energy - wall.prescribed_energy;
+      BOOST_TEST(wall.heat == 0.0);
+    }
+    BOOST_TEST(std::abs(momentum.exchanged - impulse) < 1e-15);
+    BOOST_TEST(std::abs(energy.exchanged - given) < 1e-15);
+    BOOST_TEST(std::abs(momentum.wall_budget_defect.value() - impulse_defect) < 1e-15);
+    BOOST_TEST(std::abs(energy.wall_budget_defect.value() - energy_defect) < 1e-15);
+    // What a left wall gives pushes to the right.
+    BOOST_TEST(record.wall_budgets[0].impulse[0] > 0.0);
+    BOOST_TEST(record.wall_budgets[1].impulse[0] <= 0.0);
+    Budget const& mass = record.conservation.at("mass");
+    BOOST_TEST(mass.final == 1.0, tolerance(1e-12));
+    BOOST_TEST(mass.drift == 0.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(budgets_are_the_exact_ones_of_a_piston) {
+  // Gas of P = 0.5 at rest; the shock of P = 1 moves the gas behind it at u = D/3, D^2 = 3/2.
+  Gas const gas{.scene_case = "hydro/piston-velocity",
+                .resolution = 100,
+                .discretisation = moved_by("leapfrog", usual_viscosity)};
+  RunRecord const record = run_well(gas, {Measure::conservation});
+  double const u = std::sqrt(1.5) / 3.0;
+  BOOST_TEST(record.conservation.at("energy").initial == 0.75, tolerance(1e-12));
+  BOOST_TEST(record.momentum[0].initial == 0.0);
+  BOOST_TEST(record.momentum[0].exchanged == 0.25, tolerance(0.02));
+  BOOST_TEST(record.conservation.at("energy").exchanged == 0.5 * u, tolerance(0.02));
+  BOOST_TEST(record.wall_budgets[0].impulse[0] == 0.5, tolerance(0.02));
+  BOOST_TEST(record.wall_budgets[1].impulse[0] == -0.25, tolerance(0.03));
+  BOOST_TEST(record.wall_budgets[1].energy == 0.0);
+  BOOST_TEST(record.wall_budgets[0].position[0] == 0.5 * u, tolerance(1e-12));
+  // A wall that stands or moves steadily works at the rate of its force, but for what the scheme loses.
+  BOOST_TEST(record.wall_budgets[0].energy == u * record.wall_budgets[0].impulse[0], tolerance(0.02));
+
+  Gas noh = gas;
+  noh.scene_case = "hydro/noh";
+  RunRecord const cold = run_well(noh, {Measure::conservation});
+  BOOST_TEST(cold.momentum[0].initial == -1.0, tolerance(1e-12));
+  BOOST_TEST(cold.conservation.at("energy").initial == 0.5, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(heat_through_walls_is_part_of_their_energy) {
+  Gas const gas{.scene_case = "coupled/hot-wall",
+                .conduction = "conduction/brookshaw",
+                .resolution = 40,
+                .discretisation = moved_by("runge-kutta", {}),
+                .parameters = {{"final_time", 0.1}}};
+  RunRecord const record = run_well(gas, {Measure::conservation, Measure::error});
+  Budget const& energy = record.conservation.at("energy");
+  double walls = 0.0;
+  for (WallBudget const& wall : record.wall_budgets) walls += wall.energy;
+  BOOST_TEST(record.wall_budgets[0].heat > 1e-3);
+  BOOST_TEST(record.wall_budgets[0].energy > record.wall_budgets[0].heat);  // the piston works as well
+  BOOST_TEST(std::abs(energy.drift) < 1e-6);
+  BOOST_TEST(std::abs(energy.pair_drift.value()) < 1e-14);
+  // The body force gives the rest.
+  BOOST_TEST(std::abs(energy.exchanged - walls) > 1e-6);
+  BOOST_TEST(record.wall_flux.at(0).measured == record.wall_flux[0].exact, tolerance(0.1));
+}
+
+// ---- Time
+
+BOOST_AUTO_TEST_CASE(leapfrog_goes_to_runge_kutta_at_second_order_and_is_far_below_the_error_in_space) {
+  for (ViscosityChoice const viscosity : {ViscosityChoice{}, usual_viscosity}) {
+    Gas const gas{.scene_case = "hydro/manufactured",
+                  .discretisation = moved_by("leapfrog", viscosity),
+                  .parameters = {{"final_time", 0.1}}};
+    auto const reference = integrated(gas, "runge-kutta", 1e-11);
+    Problem<1> const problem = problem_of(gas);
+    auto const& particles = reference->scene().particles();
+    std::vector<double> exact(particles.size());
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+      exact[i] = problem.vectors.at(Field::velocity)(particles.positions()[i], problem.final_time)[0];
+    }
+    double const space_error = root_mean_square(velocities(*reference), exact);
+    double before_v = 0.0, before_e = 0.0;
+    for (double const factor : {1.0, 0.5, 0.25}) {
+      auto const leapfrog = integrated(gas, "leapfrog", factor);
+      double const v = root_mean_square(velocities(*leapfrog), velocities(*reference));
+      double const e = root_mean_square(energies(*leapfrog), energies(*reference));
+      BOOST_TEST(v < 0.01 * space_error);
+      if (before_v > 0.0) {
+        // Viscosity sets in with a kink.
+        double const allowed = viscosity.alpha > 0.0 ? 0.15 : 0.03;
+        BOOST_TEST(before_v / v == 4.0, tolerance(allowed));
+        BOOST_TEST(before_e / e == 4.0, tolerance(allowed));
+      }
+      before_v = v;
+      before_e = e;
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_leapfrog_run_takes_the_usual_steps_and_reports_what_halving_them_changes) {
+  Gas const gas{.scene_case = "hydro/piston-velocity",
+                .resolution = 40,
+                .discretisation = moved_by("leapfrog", usual_viscosity)};
+  RunRecord const record = run_well(gas, {Measure::error, Measure::cost});
+  BOOST_TEST(record.integration->method == "leapfrog");
+  BOOST_TEST(record.integration->courant_factor.value() == 1.0);
+  BOOST_TEST(!record.integration->relative_tolerance.has_value());
+  BOOST_TEST(record.integration->time_error.value() > 0.0);
+  BOOST_TEST(record.integration->time_error_share.value() > 0.0);
+  std::uint64_t bound = 0;
+  for (auto const& [limit, steps] : record.motion->steps_bound_by) bound += steps;
+  BOOST_TEST(bound == record.cost->steps);
+  BOOST_TEST(record.cost->rate_evaluations > 0u);
+  BOOST_TEST(record.motion->smallest_step.value() <= record.motion->largest_step.value());
+  // 0.3 h/c behind the shock, with viscosity's share.
+  BOOST_TEST(record.motion->largest_step.value() < 0.3 * 1.2 / 40.0 / std::sqrt(5.0 / 3.0 * 0.5));
+}
+
+// ---- Shocks
+
+std::vector<ShockRecord> shocks_of(Gas const& gas) { return run_well(gas, {Measure::error}).shocks; }
+
+BOOST_AUTO_TEST_CASE(a_piston_of_prescribed_velocity_converges_at_about_first_order) {
+  std::vector<double> errors, lags;
+  for (int const n : {50, 100, 200, 400}) {
+    Gas const gas{.scene_case = "hydro/piston-velocity",
+                  .resolution = n,
+                  .discretisation = moved_by("leapfrog", usual_viscosity)};
+    RunRecord const record = run_well(gas, {Measure::error});
+    errors.push_back(record.errors.at("velocity").at("all").error.l1);
+    lags.push_back(record.shocks.at(0).position_error.value());
+  }
+  // A prototype that shares nothing with this project measured 4.4e-3 and 2.9e-3.
+  BOOST_TEST(errors[2] == 4.1e-3, tolerance(0.02));
+  BOOST_TEST(errors[3] == 2.9e-3, tolerance(0.02));
+  double const order = std::log(errors[0] / errors[3]) / std::log(8.0);
+  BOOST_TEST((order > 0.8 && order < 1.1), order);
+  // At fixed h/dx the shock is late by a part of its way that does not shrink.
+  BOOST_TEST(lags[2] == -0.008, tolerance(0.03));
+  BOOST_TEST(lags[3] == lags[2], tolerance(0.03));
+}
+
+/// Stress of a lattice over its pressure: what a uniform lattice of spacing dx pushes across any point in a
+/// symmetric form.
+double lattice_stress(double smoothing_ratio) {
+  double const dx = 0.01;
+  double sum = 0.0;
+  for (int k = 1; k * dx < 2.0 * smoothing_ratio * dx; ++k) {
+    double const r = k * dx;
+    sum -= 2.0 * dx * r * r * CubicSpline<1>::radial(r, smoothing_ratio * dx);
+  }
+  return sum;
+}
+
+BOOST_AUTO_TEST_CASE(a_lattice_pushes_with_its_pressure_but_for_a_factor_of_h_over_dx) {
+  BOOST_TEST(lattice_stress(1.0) == 1.0, tolerance(1e-12));
+  BOOST_TEST(lattice_stress(1.2) == 1.0224, tolerance(1e-4));
+  BOOST_TEST(lattice_stress(1.8) == 0.9907, tolerance(1e-4));
+  BOOST_TEST(lattice_stress(40.0) == 1.0, tolerance(1e-4));
+}
+
+// The shock moves h/dx from 1.2 to 1.8, and the stress from s(1.2) P0 to s(1.8) P1; it is the stress that
+// balances the momentum that the shock takes up.
+BOOST_AUTO_TEST_CASE(the_stress_of_the_lattices_explains_the_plateau_behind_a_piston_of_velocity) {
+  double const u = std::sqrt(1.5) / 3.0;
+  Gas gas{.scene_case = "hydro/piston-velocity",
+          .resolution = 200,
+          .discretisation = moved_by("leapfrog", usual_viscosity)};
+  ShockRecord const late = shocks_of(gas).at(0);
+  gas.parameters = {{"final_time", 0.25}};
+  ShockRecord const early = shocks_of(gas).at(0);
+  double const D =
+      (late.position + *late.position_error - early.position - *early.position_error) / 0.25;
+  double const P1 = 1.0 + late.plateau_pressure.value();
+  double const taken_up = D * u;
+  BOOST_TEST(lattice_stress(1.8) * P1 - lattice_stress(1.2) * 0.5 == taken_up, tolerance(0.005));
+  BOOST_TEST(std::abs((P1 - 0.5) / taken_up - 1.0) > 0.03);
+  BOOST_TEST(late.plateau_pressure.value() == 0.012, tolerance(0.1));
+}
+
+Gas pressed(int resolution, std::string const& closure) {
+  Gas gas{.scene_case = "hydro/piston-pressure",
+          .formulation = sqrt_p,
+          .work = "work/sqrt-p",
+          .resolution = resolution,
+          .discretisation = moved_by("leapfrog", usual_viscosity, "normalised")};
+  gas.discretisation.closure = closure;
+  return gas;
+}
+
+BOOST_AUTO_TEST_CASE(a_prescribed_pressure_behind_a_wall_of_interpolated_velocity_drives_the_wrong_shock) {
+  std::vector<double> plateaus;
+  for (int const n : {100, 200}) {
+    RunRecord const record = run_well(pressed(n, "interpolated"), {Measure::error, Measure::conservation});
+    plateaus.push_back(record.shocks.at(0).plateau_pressure.value());
+    BOOST_TEST((plateaus.back() > -0.5 && plateaus.back() < -0.4), plateaus.back());
+    // What arrives is what the wall terms give, not what the wall prescribes; and the wall lags behind.
+    WallBudget const& wall = record.wall_budgets.at(0);
+    BOOST_TEST(wall.prescribed_impulse[0] == 0.5, tolerance(1e-12));
+    BOOST_TEST(wall.impulse[0] / 0.5 == 1.0 + plateaus.back(), tolerance(0.03));
+    BOOST_TEST(wall.position[0] < 0.1 * 0.5 * std::sqrt(1.5) / 3.0);
+  }
+  BOOST_TEST(plateaus[1] < plateaus[0]);
+}
+
+BOOST_AUTO_TEST_CASE(a_prescribed_pressure_behind_a_wall_of_one_sided_velocity_drives_the_right_shock) {
+  for (int const n : {50, 100, 200}) {
+    RunRecord const record = run_well(pressed(n, "one-sided"), {Measure::error, Measure::conservation});
+    ShockRecord const& shock = record.shocks.at(0);
+    BOOST_TEST(std::abs(shock.plateau_pressure.value()) < 0.03);
+    BOOST_TEST(std::abs(shock.plateau_density.value()) < 0.03);
+    BOOST_TEST(std::abs(shock.plateau_velocity.value()) < 0.01);
+    BOOST_TEST(record.wall_budgets.at(0).position[0] == 0.5 * std::sqrt(1.5) / 3.0, tolerance(0.02));
+    BOOST_TEST(record.wall_budgets[0].impulse[0] == 0.5, tolerance(0.02));
+  }
+}
+
+// ---- Energy routes
+
+BOOST_AUTO_TEST_CASE(total_and_internal_energy_part_by_little) {
+  for (auto const& [scene_case, viscosity] :
+       {std::pair<char const*, ViscosityChoice>{"hydro/manufactured", {}},
+        {"hydro/piston-velocity", usual_viscosity}}) {
+    for (char const* work : {"work/internal-energy", "work/total-energy"}) {
+      Gas const gas{.scene_case = scene_case,
+                    .work = work,
+                    .resolution = 50,
+                    .discretisation = moved_by("leapfrog", viscosity)};
+      RunRecord const record = run_well(gas, {Measure::energy_routes});
+      BOOST_TEST((record.motion->energy_routes.value() > 1e-9 && *record.motion->energy_routes < 1e-3),
+                 scene_case << ": " << *record.motion->energy_routes);
+    }
+  }
+  Gas const unasked{.scene_case = "hydro/manufactured", .discretisation = moved_by("leapfrog", {})};
+  BOOST_TEST(!run_well(unasked, {Measure::error}).motion->energy_routes.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(total_and_internal_energy_part_by_four_times_less_when_the_step_is_halved) {
+  for (auto const& [scene_case, viscosity] :
+       {std::pair<char const*, ViscosityChoice>{"hydro/manufactured", {}},
+        {"hydro/piston-velocity", usual_viscosity}}) {
+    double before = 0.0;
+    for (double const factor : {1.0, 0.5, 0.25}) {
+      Gas gas{.scene_case = scene_case, .discretisation = moved_by("leapfrog", viscosity)};
+      auto const internal = integrated(gas, "leapfrog", factor);
+      gas.work = "work/total-energy";
+      auto const total = integrated(gas, "leapfrog", factor);
+      double const apart = root_mean_square(energies(*internal), energies(*total));
+      if (before > 0.0) BOOST_TEST(before / apart == 4.0, tolerance(0.15));
+      before = apart;
+    }
+  }
+}
+
+// ---- Statuses
+
+BOOST_AUTO_TEST_CASE(a_density_that_turns_negative_is_a_lost_positivity_with_particle_and_time) {
+  Gas const gas{.scene_case = "hydro/riemann",
+                .resolution = 60,
+                .discretisation = moved_by("leapfrog", usual_viscosity)};
+  RunRecord const record = run(gas, {Measure::error, Measure::conservation, Measure::cost});
+  BOOST_TEST(record.status == "positivity-lost");
+  BOOST_TEST(record.reason.find("density of particle 30 is -") == 0u, record.reason);
+  BOOST_TEST(record.reason.find(" at t = 0.01") != std::string::npos, record.reason);
+  BOOST_TEST(record.errors.empty());
+  BOOST_TEST(record.conservation.empty());
+  BOOST_TEST(!record.cost.has_value());
+  BOOST_TEST(!record.scene.passes.empty());
+  BOOST_TEST(record.motion.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_pressure_that_turns_negative_is_a_lost_positivity_of_sqrt_p_alone) {
+  // In cold gas total less kinetic energy may turn negative.
+  Gas gas{.scene_case = "hydro/noh",
+          .formulation = sqrt_p,
+          .work = "work/total-energy",
+          .resolution = 40,
+          .discretisation = moved_by("leapfrog", usual_viscosity)};
+  RunRecord const record = run(gas, {Measure::error});
+  BOOST_TEST(record.status == "positivity-lost");
+  BOOST_TEST(record.reason.find("negative pressure: particle ") != std::string::npos, record.reason);
+  BOOST_TEST(record.reason.find(" at t = 0.003") != std::string::npos, record.reason);
+  gas.formulation = p_rho2;
+  BOOST_TEST(run(gas, {Measure::error}).status == "ok");
+}
+
+BOOST_AUTO_TEST_CASE(a_run_out_of_time_is_timed_out) {
+  Gas const gas{.scene_case = "hydro/piston-velocity",
+                .discretisation = moved_by("leapfrog", usual_viscosity)};
+  for (char const* integrator : {"leapfrog", "runge-kutta"}) {
+    Gas slow = gas;
+    slow.discretisation.integrator = integrator;
+    RunRecord const record = run(slow, {Measure::error}, 1e-9);
+    BOOST_TEST(record.status == "timed-out");
+    BOOST_TEST(record.reason.find("time budget of 1e-09 s spent at t = ") == 0u, record.reason);
+    BOOST_TEST(record.errors.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(an_interrupted_run_is_no_result) {
+  std::atomic<bool> const interrupted{true};
+  RunOptions options;
+  options.interrupted = &interrupted;
+  Gas const gas{.scene_case = "hydro/piston-velocity",
+                .discretisation = moved_by("leapfrog", usual_viscosity)};
+  for (char const* integrator : {"leapfrog", "runge-kutta"}) {
+    Gas one = gas;
+    one.discretisation.integrator = integrator;
+    BOOST_CHECK_THROW(execute(spec_of(one), options), Interrupted);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(gas_that_runs_into_its_wall_is_unstable_and_the_reason_says_who_and_when) {
+  // With summation density the pressure halves at a wall that prescribes all of it, and goes on to fall.
+  for (char const* integrator : {"leapfrog", "runge-kutta"}) {
+    Gas const gas{.scene_case = "hydro/uniform",
+                  .resolution = 40,
+                  .discretisation = moved_by(integrator, usual_viscosity, "summation")};
+    RunRecord const record = run(gas, {Measure::error});
+    BOOST_TEST(record.status == "unstable");
+    BOOST_TEST(record.reason.find("particle ") != std::string::npos, record.reason);
+    BOOST_TEST(record.reason.find("wall ") != std::string::npos, record.reason);
+    BOOST_TEST(record.reason.find(" at t = 0.2") != std::string::npos, record.reason);
+  }
+  // Cold gas that nothing holds back.
+  Gas const noh{.scene_case = "hydro/noh", .resolution = 40, .discretisation = moved_by("leapfrog", {})};
+  RunRecord const record = run(noh, {Measure::error});
+  BOOST_TEST(record.status == "unstable");
+  BOOST_TEST(record.reason.find("closest to colliding: particle 0 and wall 0") != std::string::npos,
+             record.reason);
+}
+
+struct Broken {
+  std::string status, reason;
+};
+
+/// What is said of a state that differs from the initial one in a single unknown.
+Broken broken(Gas const& gas, std::size_t unknown, double value) {
+  MovingScene<1> scene(problem_of(gas), choice_of(gas));
+  std::vector<double> state = scene.initial_state();
+  state.at(unknown) = value;
+  try {
+    scene.evaluate(0.125, state.data());
+  } catch (BrokenRun const& error) {
+    return {error.status(), error.what()};
+  }
+  return {"ok", ""};
+}
+
+BOOST_AUTO_TEST_CASE(a_state_that_makes_no_sense_is_named_with_who_and_when) {
+  Gas const gas{.scene_case = "hydro/piston-velocity",
+                .resolution = 10,
+                .discretisation = moved_by("leapfrog", {}),
+                .parameters = {{"final_time", 0.25}}};
+  auto const check = [&](std::size_t unknown, double value, char const* status, char const* reason) {
+    Broken const found = broken(gas, unknown, value);
+    BOOST_TEST(found.status == status);
+    BOOST_TEST(found.reason == reason);
+  };
+  double const nan = std::numeric_limits<double>::quiet_NaN();
+  double const piston = 0.125 * std::sqrt(1.5) / 3.0;  // it has passed the first particle's start, at 0.05
+  check(0, piston + 1e-3, "ok", "");
+  check(0, 0.16, "unstable", "particles 0 and 1 crossed at t = 0.125");
+  check(1, piston + 2e-3, "unstable", "particle 0 overtook wall 0 at t = 0.125");
+  check(9, 1.001, "unstable", "particle 9 overtook wall 1 at t = 0.125");
+  check(3, nan, "non-finite", "position of particle 3 is not finite at t = 0.125");
+  check(30, -0.5, "positivity-lost", "density of particle 0 is -0.5 at t = 0.125");
+  check(31, nan, "non-finite", "density of particle 1 is nan at t = 0.125");
+}
+
+BOOST_AUTO_TEST_SUITE_END()

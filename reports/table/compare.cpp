@@ -40,19 +40,27 @@ std::string layout_name(LayoutChoice const& layout) {
   return layout.id == "jittered" ? fmt::format("jitter {:g}", layout.amplitude) : layout.id;
 }
 
-/// Without its rooms: "brookshaw" for "conduction/brookshaw", "p-rho2 + internal-energy".
-std::string short_name(SeriesRow const& row) {
-  std::string name;
-  for (std::size_t start = 0; start < row.formulation.size();) {
-    std::size_t const end = std::min(row.formulation.find(" + ", start), row.formulation.size());
-    std::string const part = row.formulation.substr(start, end - start);
-    std::size_t const slash = part.find('/');
-    if (!name.empty()) name += " + ";
-    name += slash == std::string::npos ? part : part.substr(slash + 1);
-    start = end + 3;
+/// "brookshaw" for "conduction/brookshaw", "total" for "work/total-energy".
+std::string without_room(std::string const& id) {
+  std::string name = id.substr(id.find('/') + 1);
+  std::string const energy = "-energy";
+  if (name.ends_with(energy)) name.erase(name.size() - energy.size());
+  return name;
+}
+
+/// The name of a row's formulation among others: a partner is named only where the form has several of its
+/// kind.
+std::string short_name(SeriesRow const& row, std::vector<SeriesRow> const& rows) {
+  std::string name = without_room(row.choice.id);
+  for (std::string FormulationChoice::*const partner :
+       {&FormulationChoice::work, &FormulationChoice::conduction}) {
+    std::string const& mine = row.choice.*partner;
+    bool const has_several = std::any_of(rows.begin(), rows.end(), [&](SeriesRow const& other) {
+      std::string const& theirs = other.choice.*partner;
+      return other.choice.id == row.choice.id && !theirs.empty() && theirs != mine;
+    });
+    if (!mine.empty() && has_several) name += " + " + without_room(mine);
   }
-  std::string const off = " (walls off)";
-  if (name.ends_with(off)) name.erase(name.size() - off.size());
   return row.walls ? name : name + " (off)";
 }
 
@@ -92,8 +100,9 @@ struct Varying {
 };
 
 /// What a row of a pivot stands for: formulation and the choices that differ.
-std::vector<std::string> row_key(SeriesRow const& row, Varying const& varying) {
-  std::vector<std::string> key{short_name(row)};
+std::vector<std::string> row_key(SeriesRow const& row, std::vector<SeriesRow> const& rows,
+                                 Varying const& varying) {
+  std::vector<std::string> key{short_name(row, rows)};
   if (varying.density) key.push_back(row.discretisation.density);
   if (varying.face_weight) key.push_back(row.walls ? row.discretisation.face_weight : "");
   if (varying.closure) key.push_back(row.walls ? row.discretisation.closure : "");
@@ -190,7 +199,7 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
         std::find(columns.begin(), columns.end(), c) == columns.end()) {
       columns.push_back(c);
     }
-    if (auto const k = row_key(row, varying); std::find(keys.begin(), keys.end(), k) == keys.end())
+    if (auto const k = row_key(row, rows, varying); std::find(keys.begin(), keys.end(), k) == keys.end())
       keys.push_back(k);
   }
   table.header.insert(table.header.end(), columns.begin(), columns.end());
@@ -202,7 +211,7 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
     for (std::size_t c = 0; c < columns.size(); ++c) {
       Cell cell{"", std::nullopt};
       for (SeriesRow const& row : rows) {
-        if (row_key(row, varying) == key && column_key(row, varying) == columns[c]) cell = cell_of(row);
+        if (row_key(row, rows, varying) == key && column_key(row, varying) == columns[c]) cell = cell_of(row);
       }
       cells.push_back(cell.text);
       row_values.push_back(cell.value);
@@ -227,10 +236,10 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
                             options.norm.empty() ? "l1 at jumps, else l2" : options.norm, options.region);
   table.header = {"formulation", "ladders", "settled", "unsettled", "floored",
                   "diverge",     "fail",    "median",  "worst",     "wall flux"};
-  std::vector<std::string> labels;
+  std::vector<std::string> names;
   for (SeriesRow const& row : rows) {
-    if (std::find(labels.begin(), labels.end(), row.formulation) == labels.end())
-      labels.push_back(row.formulation);
+    std::string const name = short_name(row, rows);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   auto const median = [](std::vector<double> values) -> Number {
     if (values.empty()) return std::nullopt;
@@ -238,13 +247,11 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
     std::size_t const n = values.size();
     return n % 2 == 1 ? values[n / 2] : 0.5 * (values[n / 2 - 1] + values[n / 2]);
   };
-  for (std::string const& label : labels) {
+  for (std::string const& name : names) {
     int asymptotic = 0, unsettled = 0, floored = 0, diverges = 0, fails = 0, ladders = 0;
     std::vector<double> errors, fluxes;
-    std::string name;
     for (SeriesRow const& row : rows) {
-      if (row.formulation != label) continue;
-      name = short_name(row);
+      if (short_name(row, rows) != name) continue;
       ++ladders;
       if (!row.failures.empty()) {
         ++fails;
@@ -268,6 +275,23 @@ TextTable summary(std::vector<SeriesRow> const& rows, CompareOptions const& opti
   return table;
 }
 
+/// Words in lines of at most 98 characters, indented.
+std::string wrapped(std::string const& words) {
+  std::string text = " ";
+  std::size_t length = 1;
+  for (std::size_t start = 0; start < words.size();) {
+    std::size_t const end = std::min(words.find(' ', start), words.size());
+    if (length + 1 + end - start > 98) {
+      text += "\n ";
+      length = 1;
+    }
+    text += " " + words.substr(start, end - start);
+    length += 1 + end - start;
+    start = end + 1;
+  }
+  return text;
+}
+
 std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   std::string text;
   // Errors of different fields do not compare.
@@ -285,7 +309,7 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
     for (SeriesRow const& row : rows) {
       if (table_of(row) == table) chosen.push_back(row);
     }
-    std::string const heading = fmt::format("{}\n  {}", case_id, parameters);
+    std::string const heading = fmt::format("{}\n{}", case_id, wrapped(parameters));
     text += render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
                                      chosen.front().norm, field, options.region, chosen.front().finest),
                          chosen, error_cell),
@@ -303,15 +327,11 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
               "\n";
     }
     if (has(&SeriesRow::plateau_pressure)) {
-      text +=
-          render(
-              pivot(
-                  fmt::format(
-                      "{}: pressure behind the shock / internal energy at the wall, relative errors, N = {}",
-                      case_id, chosen.front().finest),
-                  chosen, shock_cell),
-              options.format, options.colour) +
-          "\n";
+      text += render(pivot(fmt::format("{}: errors of pressure behind the shock / energy at the wall, N = {}",
+                                       case_id, chosen.front().finest),
+                           chosen, shock_cell),
+                     options.format, options.colour) +
+              "\n";
     }
     if (has(&SeriesRow::wall_impulse_defect)) {
       text +=

@@ -152,6 +152,7 @@ std::vector<SeriesRow> series_rows(std::vector<NamedResults> const& documents, s
       row.parameters = parameters_text(series.parameters);
       row.formulation = series.label;
       row.walls = series.formulation.walls;
+      row.choice = series.formulation;
       row.discretisation = series.discretisation;
       row.smoothing_exponent = series.smoothing_exponent;
       read_runs(series, document.results.runs, row);

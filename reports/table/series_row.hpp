@@ -11,6 +11,7 @@ namespace sphverify {
 struct SeriesRow {
   std::string document, case_id, parameters, formulation;
   bool walls;
+  FormulationChoice choice;
   Discretisation discretisation;
   double smoothing_exponent;
 

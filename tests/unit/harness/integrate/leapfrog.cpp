@@ -106,8 +106,8 @@ BOOST_AUTO_TEST_CASE(forces_that_depend_on_velocity_and_unknowns_that_drift_unev
   }
 }
 
-// What leapfrog keeps of an oscillator is v^2 + (1 - (omega dt/2)^2) x^2, so that the amplitude is bounded for
-// ever. If r drifts with the velocity of the step's beginning, it grows instead.
+// What leapfrog keeps of an oscillator is v^2 + (1 - (omega dt/2)^2) x^2, so that the amplitude is bounded
+// for ever. If r drifts with the velocity of the step's beginning, it grows instead.
 BOOST_AUTO_TEST_CASE(the_amplitude_of_a_coarsely_stepped_oscillator_neither_grows_nor_decays) {
   double const step = 0.65;
   double const final_time = 1e4 * step;

@@ -161,4 +161,83 @@ BOOST_AUTO_TEST_CASE(without_timings_there_is_no_time_to_an_error) {
   BOOST_TEST(build_series({run_at(25, 0.1), run_at(50, 0.05)})[0].time_to_error.empty());
 }
 
+/// A ladder of a case by name, whose l1, l2 and linf errors all fall at one order.
+std::vector<RunRecord> ladder_of(std::string const& case_id, double order,
+                                 std::vector<int> const& resolutions) {
+  std::vector<RunRecord> runs;
+  for (int const n : resolutions) {
+    runs.push_back(run_at(n, std::pow(n / 25.0, -order)));
+    runs.back().case_id = case_id;
+  }
+  return runs;
+}
+
+BOOST_AUTO_TEST_CASE(a_jump_allows_the_order_of_its_width_s_share_in_each_norm) {
+  Series const jumps = build_series(ladder_of("hydro/piston-velocity", 1.0, {25, 50, 100}))[0];
+  BOOST_TEST(jumps.discontinuous);
+  BOOST_TEST(find(jumps, "l1")->allowed == 1.0);
+  BOOST_TEST(find(jumps, "l2")->allowed == 0.5);
+  BOOST_TEST(find(jumps, "linf")->allowed == 0.0);
+  for (char const* smooth_case : {"hydro/manufactured", "conduction/slab-dirichlet", "no/such-case"}) {
+    Series const smooth = build_series(ladder_of(smooth_case, 1.0, {25, 50, 100}))[0];
+    BOOST_TEST(!smooth.discontinuous);
+    for (char const* norm : {"l1", "l2", "linf"}) BOOST_TEST(find(smooth, norm)->allowed == 2.0);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_largest_error_at_a_jump_is_floored_unless_it_diverges) {
+  for (double const order : {1.0, 0.3, 0.0}) {
+    Series const jumps = build_series(ladder_of("hydro/noh", order, {25, 50, 100, 200}))[0];
+    BOOST_TEST(find(jumps, "linf")->observed.verdict == "floored");
+    BOOST_TEST(find(jumps, "linf")->observed.reason.find("the solution jumps") != std::string::npos);
+    BOOST_TEST(*find(jumps, "linf")->observed.order == order, tolerance(1e-9));
+    Series const smooth = build_series(ladder_of("hydro/manufactured", order, {25, 50, 100, 200}))[0];
+    BOOST_TEST(find(smooth, "linf")->observed.verdict == find(smooth, "l1")->observed.verdict);
+    BOOST_TEST(find(jumps, "l1")->observed.verdict == find(smooth, "l1")->observed.verdict);
+  }
+  Series const grows = build_series(ladder_of("hydro/noh", -1.0, {25, 50, 100}))[0];
+  BOOST_TEST(find(grows, "linf")->observed.verdict == "diverging");
+  auto broken = ladder_of("hydro/noh", 1.0, {25, 50, 100});
+  broken.back().status = "unstable";
+  BOOST_TEST(find(build_series(broken)[0], "linf")->observed.verdict == "diverging");
+}
+
+BOOST_AUTO_TEST_CASE(a_first_order_error_in_l1_is_asymptotic_at_a_jump) {
+  Series const jumps = build_series(ladder_of("hydro/piston-velocity", 1.0, {25, 50, 100, 200}))[0];
+  BOOST_TEST(find(jumps, "l1")->observed.verdict == "asymptotic");
+  BOOST_TEST(*find(jumps, "l1")->observed.order == 1.0, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(what_differs_in_how_a_gas_moves_makes_another_series) {
+  RunRecord const one = run_at(25, 1.0);
+  std::vector<RunRecord> runs{one};
+  auto const add = [&](auto const& change) {
+    RunRecord run = one;
+    change(run);
+    runs.push_back(run);
+  };
+  add([](RunRecord& r) { r.discretisation.viscosity = {1.0, 2.0}; });
+  add([](RunRecord& r) { r.discretisation.viscosity = {1.0, 0.0}; });
+  add([](RunRecord& r) { r.discretisation.smoothing = "adaptive"; });
+  add([](RunRecord& r) { r.discretisation.wall_motion = "mass"; });
+  add([](RunRecord& r) { r.formulation.work = "work/total-energy"; });
+  add([](RunRecord& r) { r.formulation.conduction = "conduction/brookshaw"; });
+  BOOST_TEST(build_series(runs).size() == runs.size());
+}
+
+BOOST_AUTO_TEST_CASE(a_moving_gas_of_which_every_run_failed_is_judged_by_its_velocity) {
+  std::vector<RunRecord> runs = ladder_of("hydro/noh", 1.0, {25, 50, 100});
+  for (RunRecord& run : runs) {
+    run.formulation.id = "momentum/p-rho2";
+    run.status = "positivity-lost";
+    run.errors.clear();
+  }
+  auto const all = build_series(runs);
+  BOOST_TEST_REQUIRE(all[0].orders.size() == 3u);
+  for (OrderEntry const& entry : all[0].orders) {
+    BOOST_TEST(entry.field == "velocity");
+    BOOST_TEST(entry.observed.verdict == "diverging");
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

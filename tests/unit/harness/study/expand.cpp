@@ -113,4 +113,163 @@ BOOST_AUTO_TEST_CASE(labels_tell_formulations_apart) {
   BOOST_TEST(e.runs[2].label == "momentum/p-rho2");
 }
 
+// ---- Moving gas
+
+std::vector<std::string> reasons(Expansion const& e) {
+  std::vector<std::string> all;
+  for (Skipped const& s : e.skipped) all.push_back(s.reason);
+  return all;
+}
+
+bool is_skipped_for(Expansion const& e, std::string const& words) {
+  for (std::string const& reason : reasons(e)) {
+    if (reason.find(words) != std::string::npos) return true;
+  }
+  return false;
+}
+
+BOOST_AUTO_TEST_CASE(a_moving_gas_takes_its_momentum_form_s_partner_unless_it_is_named) {
+  Expansion const e = expansion(R"({
+    "cases": "hydro/uniform",
+    "formulations": ["momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient",
+                     {"id": "momentum/p-rho2", "work": "work/total-energy"},
+                     {"id": "momentum/p-rho2", "walls": "off"}], "resolution": 10})");
+  BOOST_TEST_REQUIRE(e.runs.size() == 5u);
+  BOOST_TEST(e.skipped.empty());
+  BOOST_TEST(e.runs[0].formulation.work == "work/internal-energy");
+  BOOST_TEST(e.runs[1].formulation.work == "work/sqrt-p");
+  BOOST_TEST(e.runs[2].formulation.work == "work/internal-energy");
+  BOOST_TEST(e.runs[3].formulation.work == "work/total-energy");
+  BOOST_TEST(e.runs[0].label == "momentum/p-rho2 + work/internal-energy");
+  BOOST_TEST(e.runs[3].label == "momentum/p-rho2 + work/total-energy");
+  BOOST_TEST(e.runs[4].label == "momentum/p-rho2 + work/internal-energy (walls off)");
+}
+
+BOOST_AUTO_TEST_CASE(a_gas_needs_a_momentum_form_and_conducts_where_it_conducts) {
+  Expansion const e = expansion(R"({
+    "cases": ["hydro/uniform", "coupled/hot-wall"],
+    "formulations": ["conduction/brookshaw", "work/internal-energy", "momentum/p-rho2",
+                     {"id": "momentum/p-rho2", "conduction": "conduction/brookshaw"}], "resolution": 10})");
+  BOOST_TEST_REQUIRE(e.runs.size() == 2u);
+  BOOST_TEST(e.runs[0].scene_case->info.id == "hydro/uniform");
+  BOOST_TEST(e.runs[0].formulation.conduction == "");
+  BOOST_TEST(e.runs[1].scene_case->info.id == "coupled/hot-wall");
+  BOOST_TEST(e.runs[1].label == "momentum/p-rho2 + work/internal-energy + conduction/brookshaw");
+  std::vector<std::string> const expected{"a moving gas needs a momentum form, with this one as its partner",
+                                          "a moving gas needs a momentum form, with this one as its partner",
+                                          "a gas that conducts no heat takes no conduction form",
+                                          "a moving gas needs a momentum form, with this one as its partner",
+                                          "a moving gas needs a momentum form, with this one as its partner",
+                                          "a gas that conducts heat needs a conduction form"};
+  BOOST_TEST(reasons(e) == expected, boost::test_tools::per_element());
+}
+
+BOOST_AUTO_TEST_CASE(by_default_what_jumps_is_leapfrogged_with_viscosity_and_what_is_smooth_is_not) {
+  Expansion const e = expansion(R"({
+    "cases": ["hydro/piston-velocity", "hydro/manufactured", "hydro/noh", "hydro/acoustic"],
+    "formulations": "momentum/p-rho2", "resolution": 10})");
+  BOOST_TEST_REQUIRE(e.runs.size() == 4u);
+  for (RunSpec const& run : e.runs) {
+    bool const jumps = run.scene_case->info.discontinuous;
+    BOOST_TEST(jumps == (run.scene_case->info.id == "hydro/piston-velocity" ||
+                         run.scene_case->info.id == "hydro/noh"));
+    BOOST_TEST(run.discretisation.integrator == (jumps ? "leapfrog" : "runge-kutta"));
+    BOOST_TEST((run.discretisation.viscosity == (jumps ? ViscosityChoice{1.0, 2.0} : ViscosityChoice{})));
+    BOOST_TEST(run.discretisation.density == "continuity");
+    BOOST_TEST(run.discretisation.smoothing == "uniform");
+    BOOST_TEST(run.discretisation.wall_motion == "velocity");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(viscosities_that_come_to_the_same_are_run_once) {
+  std::string const rest = R"("formulations": "momentum/p-rho2", "resolution": 10,
+    "viscosity": ["auto", "off", {"alpha": 1, "beta": 2}, {"alpha": 2, "beta": 2}]})";
+  for (char const* scene_case : {"hydro/piston-velocity", "hydro/uniform"}) {
+    Expansion const e = expansion(R"({"cases": ")" + std::string(scene_case) + R"(", )" + rest);
+    BOOST_TEST(e.runs.size() == 3u);
+    BOOST_TEST(e.skipped.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(particles_at_rest_are_not_repeated_for_what_only_moves) {
+  Expansion const e = expansion(R"({
+    "cases": ["conduction/slab-dirichlet", "operator/sine"], "formulations": "conduction/brookshaw",
+    "viscosity": ["auto", "off", {"alpha": 2, "beta": 2}], "smoothing": ["adaptive", "uniform"],
+    "wall_motion": ["mass", "velocity"], "resolution": 10})");
+  BOOST_TEST_REQUIRE(e.runs.size() == 2u);
+  BOOST_TEST(e.skipped.empty());
+  for (RunSpec const& run : e.runs) {
+    BOOST_TEST((run.discretisation.viscosity == ViscosityChoice{}));
+    BOOST_TEST(run.discretisation.smoothing == "uniform");
+    BOOST_TEST(run.discretisation.wall_motion == "velocity");
+  }
+}
+
+BOOST_AUTO_TEST_CASE(densities_and_integrators_go_to_the_particles_that_they_are_for) {
+  Expansion const e = expansion(R"({
+    "cases": ["conduction/slab-dirichlet", "hydro/uniform"],
+    "formulations": ["conduction/brookshaw", "momentum/p-rho2"],
+    "discretisation": {"density": ["given", "summation", "normalised", "continuity"]},
+    "integrator": ["bdf", "runge-kutta", "leapfrog"], "resolution": 10})");
+  std::size_t at_rest = 0, in_motion = 0;
+  for (RunSpec const& run : e.runs) {
+    bool const moving = run.scene_case->info.id == "hydro/uniform";
+    ++(moving ? in_motion : at_rest);
+    BOOST_TEST(run.discretisation.density != (moving ? "given" : "continuity"));
+    BOOST_TEST(run.discretisation.integrator != (moving ? "bdf" : "leapfrog"));
+  }
+  BOOST_TEST(at_rest == 3u * 2u);
+  BOOST_TEST(in_motion == 3u * 2u);
+  BOOST_TEST(is_skipped_for(e, "given density is for particles at rest"));
+  BOOST_TEST(is_skipped_for(e, "continuity density needs particles that move"));
+  BOOST_TEST(is_skipped_for(e, "bdf is for particles at rest"));
+  BOOST_TEST(is_skipped_for(e, "leapfrog is for particles that move"));
+}
+
+BOOST_AUTO_TEST_CASE(a_study_of_both_kinds_runs_each_with_its_own_defaults) {
+  Expansion const e = expansion(R"({
+    "cases": ["conduction/slab-dirichlet", "hydro/piston-velocity"],
+    "formulations": ["conduction/brookshaw", "momentum/p-rho2"], "resolution": 10})");
+  BOOST_TEST_REQUIRE(e.runs.size() == 2u);
+  BOOST_TEST(e.runs[0].discretisation.density == "given");
+  BOOST_TEST(e.runs[0].discretisation.integrator == "bdf");
+  BOOST_TEST(e.runs[1].discretisation.density == "continuity");
+  BOOST_TEST(e.runs[1].discretisation.integrator == "leapfrog");
+}
+
+BOOST_AUTO_TEST_CASE(wall_motions_are_compared_only_where_a_wall_goes_with_the_gas) {
+  Expansion const e = expansion(R"({
+    "cases": ["hydro/piston-pressure", "hydro/piston-velocity",
+              {"id": "hydro/manufactured", "parameters": {"drive": "pressure"}},
+              {"id": "hydro/manufactured", "parameters": {"drive": "both"}},
+              {"id": "hydro/manufactured", "parameters": {"drive": "pressure", "dimension": 2}}],
+    "formulations": ["momentum/p-rho2", {"id": "momentum/p-rho2", "walls": "off"}],
+    "wall_motion": ["velocity", "mass"], "resolution": 10})");
+  std::size_t by_mass = 0;
+  for (RunSpec const& run : e.runs) {
+    if (run.discretisation.wall_motion == "velocity") continue;
+    ++by_mass;
+    BOOST_TEST(run.formulation.walls);
+    BOOST_TEST((run.scene_case->info.id == "hydro/piston-pressure" ||
+                std::get<std::string>(run.parameters.all().at("drive")) == "pressure"));
+  }
+  BOOST_TEST(by_mass == 2u);
+  BOOST_TEST(e.runs.size() == 5u * 2u + by_mass);
+  BOOST_TEST(is_skipped_for(e, "wall motion mass is for one dimension"));
+  BOOST_TEST(is_skipped_for(e, "wall motion mass changes nothing where no wall goes with the gas"));
+}
+
+BOOST_AUTO_TEST_CASE(a_case_that_is_a_reference_only_is_skipped_with_its_reason) {
+  Expansion const e = expansion(R"({
+    "cases": ["hydro/noh", {"id": "hydro/noh", "parameters": {"dimension": 2}},
+              {"id": "hydro/noh", "parameters": {"dimension": 3}},
+              {"id": "hydro/riemann", "parameters": {"left": [1, 0, 1], "right": [0, 0, 0]}}],
+    "formulations": "momentum/p-rho2", "resolution": [10, 20]})");
+  BOOST_TEST(e.runs.size() == 2u);
+  BOOST_TEST(is_skipped_for(e, "in 2D and 3D it is a reference only"));
+  BOOST_TEST(is_skipped_for(e, "particles fill no vacuum"));
+  BOOST_TEST(e.skipped.at(0).case_id == "hydro/noh");
+  BOOST_TEST(e.skipped[0].formulation == "momentum/p-rho2 + work/internal-energy");
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -305,4 +305,143 @@ BOOST_AUTO_TEST_CASE(bad_parameters_are_refused_in_the_case_s_own_words) {
              {"final_time must leave the front inside"});
 }
 
+// ---- Moving gas
+
+Json moving() {
+  Json document = smallest();
+  document["cases"] = "hydro/piston-velocity";
+  document["formulations"] = "momentum/p-rho2";
+  return document;
+}
+
+Study moving_with(std::string const& key, std::string const& value) {
+  Json document = moving();
+  document[key] = Json::parse(value);
+  return read(document);
+}
+
+BOOST_AUTO_TEST_CASE(a_moving_gas_has_defaults_of_its_own) {
+  Study const study = read(moving());
+  BOOST_TEST(study.densities == Words{"continuity"}, per_element());
+  BOOST_TEST(study.integrators == Words{"auto"}, per_element());
+  BOOST_TEST(study.smoothings == Words{"uniform"}, per_element());
+  BOOST_TEST(study.wall_motions == Words{"velocity"}, per_element());
+  BOOST_TEST(study.viscosities.size() == 1u);
+  BOOST_TEST(!study.viscosities[0].has_value());
+  BOOST_TEST(study.formulations[0].work == "");  // the partner is chosen where the runs are
+}
+
+BOOST_AUTO_TEST_CASE(a_study_of_gas_at_rest_and_in_motion_has_the_defaults_of_both) {
+  Json document = moving();
+  document["cases"] = {"hydro/uniform", "conduction/slab-dirichlet", "coupled/hot-wall"};
+  Study const study = read(document);
+  BOOST_TEST(study.densities == (Words{"given", "continuity"}), per_element());
+  BOOST_TEST(study.integrators == (Words{"bdf", "auto"}), per_element());
+  document["cases"] = {"coupled/hot-wall"};
+  BOOST_TEST(read(document).densities == Words{"continuity"}, per_element());
+  document["cases"] = {"operator/sine"};
+  BOOST_TEST(read(document).densities == Words{"given"}, per_element());
+  document["discretisation"] = {{"density", "summation"}, {"integrator", "leapfrog"}};
+  BOOST_TEST(read(document).densities == Words{"summation"}, per_element());
+  BOOST_TEST(read(document).integrators == Words{"leapfrog"}, per_element());
+}
+
+BOOST_AUTO_TEST_CASE(viscosity_is_automatic_off_or_two_coefficients) {
+  Study const study = moving_with("viscosity", R"(["auto", "off", {"alpha": 0.5, "beta": 3}])");
+  BOOST_TEST_REQUIRE(study.viscosities.size() == 3u);
+  BOOST_TEST(!study.viscosities[0].has_value());
+  BOOST_TEST((study.viscosities[1] == ViscosityChoice{0.0, 0.0}));
+  BOOST_TEST((study.viscosities[2] == ViscosityChoice{0.5, 3.0}));
+  BOOST_TEST(
+      (moving_with("viscosity", R"({"alpha": 1, "beta": 0})").viscosities[0] == ViscosityChoice{1, 0}));
+  BOOST_TEST((moving_with("discretisation", R"({"viscosity": "off"})").viscosities[0] == ViscosityChoice{}));
+}
+
+BOOST_AUTO_TEST_CASE(a_viscosity_that_makes_no_sense_is_refused) {
+  check_says(refusal("viscosity", R"("on")"), {"study.json: viscosity: found 'on'", "auto, off"});
+  check_says(refusal("viscosity", R"(["auto", "of"])"), {"viscosity[1]", "did you mean 'off'?"});
+  check_says(refusal("viscosity", R"({"alpha": 1})"), {"viscosity.beta: found nothing"});
+  check_says(refusal("viscosity", R"({"beta": 1})"), {"viscosity.alpha: found nothing"});
+  check_says(refusal("viscosity", R"({"alpha": -1, "beta": 2})"), {"viscosity.alpha: found -1"});
+  check_says(refusal("viscosity", R"({"alpha": 1, "beta": 1000})"), {"viscosity.beta: found 1000"});
+  check_says(refusal("viscosity", R"({"alpha": "1", "beta": 2})"), {"viscosity.alpha: found '1'"});
+  check_says(refusal("viscosity", R"({"alpha": 1, "beta": 2, "gamma": 3})"),
+             {"viscosity.gamma: found an unknown key"});
+  check_says(refusal("viscosity", "1"), {"viscosity: found 1"});
+  check_says(refusal("viscosity", "[]"), {"viscosity: found an empty list"});
+  check_says(refusal("viscosity", R"(["off", {"alpha": 0, "beta": 0}])"), {"viscosity[1]", "only once"});
+  check_says(refusal("viscosity", R"(["auto", "auto"])"), {"viscosity[1]", "only once"});
+}
+
+BOOST_AUTO_TEST_CASE(smoothing_wall_motion_and_integrator_are_words) {
+  BOOST_TEST(
+      moving_with("smoothing", R"(["adaptive", "uniform"])").smoothings == (Words{"adaptive", "uniform"}),
+      per_element());
+  BOOST_TEST(
+      moving_with("wall_motion", R"(["mass", "velocity"])").wall_motions == (Words{"mass", "velocity"}),
+      per_element());
+  BOOST_TEST(moving_with("discretisation", R"({"wall_motion": "mass"})").wall_motions == Words{"mass"},
+             per_element());
+  Words const integrators{"auto", "leapfrog", "runge-kutta", "bdf"};
+  BOOST_TEST(
+      moving_with("integrator", R"(["auto", "leapfrog", "runge-kutta", "bdf"])").integrators == integrators,
+      per_element());
+  check_says(refusal("smoothing", R"("adaptiv")"), {"smoothing", "did you mean 'adaptive'?"});
+  check_says(refusal("smoothing", R"(["uniform", "uniform"])"), {"smoothing[1]", "only once"});
+  check_says(refusal("wall_motion", R"("pressure")"), {"wall_motion: found 'pressure'", "velocity, mass"});
+  check_says(refusal("integrator", R"("leapfrogg")"), {"integrator", "did you mean 'leapfrog'?"});
+  check_says(refusal("closure", R"("quotients")"), {"closure", "did you mean 'quotient'?"});
+}
+
+BOOST_AUTO_TEST_CASE(choices_of_a_moving_gas_stand_in_one_place_only) {
+  for (auto const& [key, value] : {std::pair<char const*, char const*>{"viscosity", "off"},
+                                   {"smoothing", "uniform"},
+                                   {"wall_motion", "mass"},
+                                   {"integrator", "leapfrog"}}) {
+    Json document = moving();
+    document[key] = value;
+    BOOST_TEST(refusal(document) == "");
+    document["discretisation"] = {{key, value}};
+    check_says(refusal(document), {"study.json: " + std::string(key), "either here or in discretisation"});
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_study_of_moving_gas_written_down_reads_back_as_itself) {
+  Json document = moving();
+  document["cases"] =
+      Json::parse(R"([{"id": "hydro/riemann", "parameters": {"left": [1, 0, 2], "right": [1, 0, 1]}},
+                                      "hydro/piston-pressure"])");
+  document["discretisation"] = Json::parse(
+      R"({"viscosity": ["auto", "off", {"alpha": 0.5, "beta": 3}], "smoothing": ["adaptive", "uniform"],
+          "wall_motion": ["mass", "velocity"], "integrator": ["auto", "leapfrog"], "closure": "quotient"})");
+  document["measure"] = "energy-routes";
+  Study const study = read(document);
+  Json const written = to_json(study);
+  Study const again = read(written);
+  BOOST_TEST(written.dump() == to_json(again).dump());
+  BOOST_TEST((again.viscosities == study.viscosities));
+  BOOST_TEST((again.smoothings == study.smoothings));
+  BOOST_TEST((again.wall_motions == study.wall_motions));
+  BOOST_TEST((again.integrators == study.integrators));
+  BOOST_TEST((again.cases[0].parameters == study.cases[0].parameters));
+  BOOST_TEST((again.measure == MeasureSet{Measure::energy_routes}));
+}
+
+BOOST_AUTO_TEST_CASE(a_final_time_beyond_the_exact_solution_is_refused) {
+  check_says(refusal("cases", R"({"id": "hydro/piston-velocity", "parameters": {"final_time": 1}})"),
+             {"study.json: cases", "final_time must be less than", "the shock reaches the far wall"});
+  check_says(refusal("cases", R"({"id": "hydro/uniform", "parameters": {"boundary": "free"}})"),
+             {"boundary must be one of", "found free"});
+  check_says(refusal("cases", R"({"id": "hydro/riemann", "parameters": {"preset": "sodd"}})"),
+             {"preset must be one of", "found sodd"});
+}
+
+BOOST_AUTO_TEST_CASE(the_standard_studies_of_walls_and_closures_are_studies) {
+  for (char const* name : {"hydro-walls-1d", "closures-1d", "cost-1d"}) {
+    std::string const path = SPHVERIFY_SOURCE_DIR "/cases/studies/" + std::string(name) + ".json";
+    Study const study = read_study(Node(read_json_file(path), path));
+    BOOST_TEST(study.name == name);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

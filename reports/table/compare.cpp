@@ -164,7 +164,10 @@ Cell wall_flux_cell(SeriesRow const& row) {
 Cell shock_cell(SeriesRow const& row) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
   if (!row.plateau_pressure) return {"-", std::nullopt};
-  auto const signed_percent = [](double value) { return fmt::format("{:+.2g}%", 100.0 * value); };
+  auto const signed_percent = [](double value) {
+    return std::abs(value) < 0.1 ? fmt::format("{:+.2g}%", 100.0 * value)
+                                 : fmt::format("{:+.0f}%", 100.0 * value);
+  };
   std::string text = signed_percent(*row.plateau_pressure);
   if (row.wall_heating) text += " / " + signed_percent(*row.wall_heating);
   return {text, std::abs(*row.plateau_pressure)};

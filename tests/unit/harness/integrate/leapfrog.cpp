@@ -151,7 +151,8 @@ BOOST_AUTO_TEST_CASE(the_same_steps_with_the_velocities_turned_round_lead_back_t
   }
 }
 
-// Two bodies that pull at each other and rub, one of them also pulled from outside; steps of uneven length.
+// Two bodies that pull at each other and rub, one of them also pulled and braked from outside; steps of
+// uneven length.
 struct Bodies {
   State last = State(7);  ///< the last rate
 
@@ -159,7 +160,7 @@ struct Bodies {
     double const pull = std::pow(y[1] - y[0], 3) + 0.3 * (y[3] - y[2]);
     out[0] = velocities[0];
     out[1] = velocities[1];
-    out[2] = pull + std::sin(3.0 * t);
+    out[2] = pull + std::sin(3.0 * t) - 0.4 * y[2];
     out[3] = -pull;
     // Heat flows between the first two of what follows, and the second loses some.
     out[4] = 5.0 * (y[5] - y[4]) + velocities[0];
@@ -194,7 +195,7 @@ BOOST_AUTO_TEST_CASE(momentum_and_what_is_linear_in_the_rest_close_against_their
   BOOST_TEST(result.steps > 300u);
   BOOST_TEST(worst_momentum < 1e-14);
   BOOST_TEST(worst_heat < 1e-13);
-  BOOST_TEST(std::abs(result.quadratures[0] - (1.0 - std::cos(12.0)) / 3.0) < 1e-3);
+  BOOST_TEST(std::abs(result.quadratures[0]) > 0.01);
   BOOST_TEST(result.quadratures[1] < -1.0);
 }
 

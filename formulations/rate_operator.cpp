@@ -1,6 +1,8 @@
 #include "formulations/rate_operator.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <type_traits>
 
@@ -12,11 +14,17 @@ namespace sphverify {
 
 namespace {
 
+std::string readable(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
 void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::size_t index,
                           std::string_view quantity, double value) {
   if (value >= 0.0 || std::isnan(value)) return;
   throw UndefinedRate(std::string(scheme.id) + " is undefined for negative " + std::string(quantity) + ": " +
-                      std::string(where) + " " + std::to_string(index) + " has " + std::to_string(value));
+                      std::string(where) + " " + std::to_string(index) + " has " + readable(value));
 }
 
 template <class Scheme, int Dim>

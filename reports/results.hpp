@@ -135,7 +135,7 @@ struct Motion {
   std::map<std::string, std::uint64_t> steps_bound_by;  ///< step limit -> steps that it bound
   Number smallest_step, largest_step;                   ///< [s]
   double lowest_density = 0.0, lowest_pressure = 0.0;   ///< of any particle after any step
-  double volume_defect = 0.0;  ///< volume between the walls less the sum of m/rho, as a part of the volume
+  double volume_defect = 0.0;  ///< volume between the walls less the sum of m/rho, as a part of that sum
   Number wall_heating;   ///< relative error of the internal energy nearest a wall, the largest; at shocks
   Number energy_routes;  ///< l2 difference of internal energy to the same run with the other work form,
                          ///< relative to its l2 norm; if asked for

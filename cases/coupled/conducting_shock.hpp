@@ -23,7 +23,7 @@ struct ConductingShockWave {
         .domain = "0 <= x <= 1 at the start; the shock starts at `centre`",
         .walls =
             "left: a piston with the velocity and temperature behind the shock; right: at rest, "
-            "insulated but for the exact flux",
+            "at the temperature ahead",
         .initial = "the solution at t = 0",
         .kind = CaseKind::coupled,
         .parameters = {{"initial_pressure", "Pa", "ahead of the shock", 0.6},

@@ -14,7 +14,7 @@ namespace sphverify {
 template <int Dim>
 struct Layout {
   VectorField<Dim> positions;
-  std::vector<double> volumes;  ///< [m^Dim]; they add up to the domain's
+  std::vector<double> volumes;  ///< [m^Dim]; of lattices they add up to the domain's
   double spacing = 0.0;         ///< dx along the first axis [m]
   Vector<Dim> cell;  ///< size of the lattice's cells [m]; dx along the first axis, near it along others
 };

@@ -10,7 +10,9 @@ namespace sphverify {
 namespace {
 
 /// A step that is no longer than the limit, chosen so that the last one is not a sliver.
-double even_step(double remaining, double limit) { return remaining / std::ceil(remaining / limit); }
+double even_step(double remaining, double limit) {
+  return limit >= remaining ? remaining : remaining / std::ceil(remaining / limit);
+}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -9,12 +10,22 @@
 
 namespace sphverify {
 
+/// A rate met a state in which it makes no sense. An adaptive integrator may have come there by too long a
+/// step: it tries a shorter one, and hands this on only when it gives up.
+class RateFailure : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// dy/dt = rate(t, y), with quadratures dq/dt = quadrature(t, y) that nothing depends on.
 struct OdeSystem {
   std::size_t size = 0;
   std::size_t quadratures = 0;  ///< 0: not integrated, and not paid for
   std::function<void(double t, double const* y, double* dydt)> rate;
   std::function<void(double t, double const* y, double* dqdt)> quadrature;
+
+  /// Below it an explicit adaptive method gives up; 0: it goes on as long as it can.
+  double smallest_step = 0.0;
 
   /// Sizes of typical unknowns and then quadratures, which multiply the absolute tolerance; empty: all 1.
   std::vector<double> scales;

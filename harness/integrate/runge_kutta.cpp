@@ -43,6 +43,9 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
   require_sundials(ERKStepSVtolerances(erk, tolerances.relative, absolute_tolerances.get()),
                    "ERKStepSVtolerances");
   require_sundials(ERKStepSetStopTime(erk, final_time), "ERKStepSetStopTime");
+  if (system.smallest_step > 0.0 && system.smallest_step < 1e-3 * final_time) {
+    require_sundials(ERKStepSetMinStep(erk, system.smallest_step), "ERKStepSetMinStep");
+  }
   require_sundials(ERKStepSetErrHandlerFn(
                        erk, [](int, char const*, char const*, char*, void*) {}, nullptr),
                    "ERKStepSetErrHandlerFn");
@@ -52,6 +55,7 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
     int const flag = ERKStepEvolve(erk, final_time, state.get(), &result.time, ARK_ONE_STEP);
     data.rethrow();
     if (flag < 0) {
+      data.rethrow_failure();
       std::unique_ptr<char, decltype(&std::free)> const name(ERKStepGetReturnFlagName(flag), &std::free);
       result.outcome = OdeOutcome::failed;
       result.reason = std::string("the explicit integrator gave up (") + name.get() + ")";
@@ -62,6 +66,7 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
       result.reason = "the explicit integrator's step shrank to nothing";
       break;
     }
+    data.failure = nullptr;
     ++result.steps;
     result.reason = system.monitor ? system.monitor(result.time, y.data(), y.data() + system.size) : "";
     if (!result.reason.empty()) {

@@ -55,11 +55,12 @@ inline VectorHandle wrap(std::size_t size, double* data, SUNContext context) {
 
 /// What a SUNDIALS callback gets as user data. Exceptions must not cross the library's C frames: they are
 /// kept here, the callback fails, and `rethrow` lets them go on.
-/// A rate that is not finite is a recoverable failure: the integrator tries a shorter step, and gives up in
-/// the end.
+/// A RateFailure, or a rate that is not finite, is a recoverable failure: the integrator tries a shorter
+/// step, and gives up in the end.
 struct CallbackData {
   OdeSystem const& system;
   std::exception_ptr error = nullptr;
+  std::exception_ptr failure = nullptr;  ///< the last of a rate, for when the integrator gives up
 
   template <class Body>
   static int guarded(void* user, Body const& body) {
@@ -67,6 +68,9 @@ struct CallbackData {
     try {
       body(data.system);
       return 0;
+    } catch (RateFailure const&) {
+      data.failure = std::current_exception();
+      return 1;
     } catch (...) {
       data.error = std::current_exception();
       return -1;
@@ -78,6 +82,9 @@ struct CallbackData {
   }
   void rethrow() const {
     if (error) std::rethrow_exception(error);
+  }
+  void rethrow_failure() const {
+    if (failure) std::rethrow_exception(failure);
   }
 };
 

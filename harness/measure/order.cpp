@@ -22,7 +22,8 @@ diverging      a run of the finest level failed, or the last step raised the err
                a ladder whose fitted order is not positive
 floored        the last step changed the error little (pairwise order between -0.25 and 0.25) after steps that
                changed it as little or, one by one, less and less; or the error reached round-off
-pre-asymptotic anything else)";
+pre-asymptotic anything else
+at a jump      the solution allows at most order 1 in l1 and 1/2 in l2 (`allowed`); linf cannot go down: floored)";
 
 namespace {
 

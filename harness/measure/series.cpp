@@ -105,7 +105,7 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
     ladder.push_back(std::move(step));
   }
   entry.observed = observed_order(ladder);
-  if (allowed == 0.0 && entry.observed.verdict != "diverging") {
+  if (allowed == 0.0 && entry.observed.verdict != "diverging" && levels.size() >= 3) {
     entry.observed.verdict = "floored";
     entry.observed.reason = "the solution jumps: its maximum error cannot go down";
   }

@@ -11,6 +11,8 @@ namespace {
 constexpr std::uint64_t most_steps = 2'000'000;
 /// A step that is this part of the run would never end it.
 constexpr double collapsed = 1e-9;
+/// Nor is a smooth flow followed by steps this part of what sound allows.
+constexpr double unresolved = 1e-3;
 
 /// Writes and reads the parts of a budget in one order.
 template <int Dim>
@@ -99,16 +101,18 @@ double MovingGas<Dim>::step_limit() {
   auto const limits = scene_.step_limits();
   auto const bound = std::min_element(limits.begin(), limits.end(),
                                       [](StepLimit const& a, StepLimit const& b) { return a.step < b.step; });
-  // A cold gas at rest has no limit of its own.
-  double const step = courant_factor_ * std::min(bound->step, 0.01 * scene_.problem().final_time);
-  ++steps_bound_by_[std::string(std::isfinite(bound->step) ? bound->name : "none")];
+  // A cold gas at rest has no limit of its own: the run takes a hundred steps at least.
+  double const longest = 0.01 * scene_.problem().final_time;
+  double const step = courant_factor_ * std::min(bound->step, longest);
+  ++steps_bound_by_[std::string(bound->step < longest ? bound->name : "duration")];
   smallest_step_ = smallest_step_ == 0.0 ? step : std::min(smallest_step_, step);
   largest_step_ = std::max(largest_step_, step);
   return step;
 }
 
 template <int Dim>
-OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolerances, Monitor monitor) {
+OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolerances, Monitor monitor,
+                                    bool at_step_ends) {
   double const final_time = scene_.problem().final_time;
   OdeSystem system;
   system.size = scene_.unknowns();
@@ -119,7 +123,10 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
   };
   // Both integrators ask for it right after the rate at the same state, at which the scene still is.
   system.quadrature = [this](double, double const*, double* dqdt) { quadrature(dqdt); };
-  system.monitor = [&](double t, double const*, double const* q) { return monitor(t, budgets(q)); };
+  system.monitor = [&](double t, double const* y, double const* q) {
+    if (at_step_ends) scene_.evaluate(t, y);
+    return monitor(t, budgets(q));
+  };
   std::vector<double> initial = scene_.initial_state();
   OdeResult result;
   if (method == "leapfrog") {
@@ -136,6 +143,8 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
                             .smallest_step = collapsed * final_time,
                             .most_steps = most_steps});
   } else {
+    scene_.evaluate(0.0, initial.data());
+    system.smallest_step = unresolved * scene_.step_limits().front().step;
     system.scales = scene_.scales();
     // Budgets add up what the whole gas exchanges; a tolerance in proportion to it does not rule the step.
     system.scales.resize(system.size + system.quadratures, std::numeric_limits<double>::max() * 1e-20);

@@ -32,7 +32,8 @@ class MovingGas {
   /// Integrates to the final time by the named method (leapfrog, runge-kutta), after which the scene is at
   /// the final state. The monitor is called after every step; the scene it sees is at a state within the
   /// step. Throws BrokenRun.
-  OdeResult integrate(std::string const& method, Tolerances tolerances, Monitor monitor);
+  OdeResult integrate(std::string const& method, Tolerances tolerances, Monitor monitor,
+                      bool at_step_ends = false);
 
   MovingScene<Dim>& scene() { return scene_; }
   MovingScene<Dim> const& scene() const { return scene_; }

@@ -10,7 +10,7 @@ namespace sphverify {
 /// The error of time integration is measured. A leapfrog run is repeated with half the step; runge-kutta from
 /// a loose tolerance to tight, a hundredfold at a time, until tightening it once more changes no field's
 /// error by more than 1%, in any region and norm. The looser of the last two is the run's result and what it
-/// costs.
+/// costs. Without Measure::error nothing is compared, and the first rung taken.
 template <int Dim>
 void run_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
                 RunRecord& record);

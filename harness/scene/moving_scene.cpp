@@ -273,7 +273,9 @@ void MovingScene<Dim>::find_geometry(double time) {
     SmoothingLength const h(particles_);
     CellGrid<Dim> const grid(particles_.positions(), problem_.domain,
                              CubicSpline<Dim>::support_ratio * h.largest());
-    if (!same_places(found_at_, particles_.positions()) || (adaptive_ && has_continuity())) {
+    // With own lengths these follow the density, and through Gamma the walls.
+    bool const h_may_have_changed = adaptive_ && (has_continuity() || !free_walls_.empty());
+    if (!same_places(found_at_, particles_.positions()) || h_may_have_changed) {
       geometry_.neighbours = find_neighbours(grid, h);
       ++passes_["neighbour-search"];
       KernelWeightSet wanted = momentum_operator_->info().kernel | work_operator_->info().kernel;

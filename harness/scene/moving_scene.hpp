@@ -9,15 +9,16 @@
 #include "cases/support/problem.hpp"
 #include "formulations/rate_operator.hpp"
 #include "formulations/viscosity/monaghan.hpp"
+#include "harness/integrate/ode.hpp"
 #include "harness/scene/scene.hpp"
 
 namespace sphverify {
 
 /// The numbers of a run have left the realm in which it makes sense to go on.
-class BrokenRun : public std::runtime_error {
+class BrokenRun : public RateFailure {
  public:
   BrokenRun(std::string status, std::string const& reason)
-      : std::runtime_error(reason), status_(std::move(status)) {}
+      : RateFailure(reason), status_(std::move(status)) {}
   std::string const& status() const { return status_; }  ///< as in the results document
 
  private:

@@ -49,6 +49,16 @@ bool has_free_wall(AnyProblem const& problem) {
       problem);
 }
 
+bool has_walls(AnyProblem const& problem) {
+  return std::visit([](auto const& p) { return !p.walls.empty(); }, problem);
+}
+
+/// Whether a study left a choice open, so that what does not suit a case goes without saying.
+bool left_open(std::vector<std::string> const& words, std::string const& at_rest,
+               std::string const& in_motion) {
+  return words == std::vector<std::string>{at_rest, in_motion};
+}
+
 /// Why a discretisation makes no sense here, or would only repeat another run of the study; empty if it does.
 std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem const& problem,
                     FormulationChoice const& formulation, Discretisation const& d) {
@@ -70,7 +80,13 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
   if (!integrates(scene_case.kind, d.integrator)) {
     return d.integrator + (moving ? " is for particles at rest" : " is for particles that move");
   }
+  if (moving && d.density == "normalised" && !formulation.walls && has_walls(problem)) {
+    return "normalised density takes the walls into account, which this control does not have";
+  }
   if (moving && d.wall_motion == "mass") {
+    if (d.density != "continuity") {
+      return "wall motion mass needs continuity density: a summed one depends on where the wall is";
+    }
     if (std::get_if<Problem<1>>(&problem) == nullptr) return "wall motion mass is for one dimension";
     if (study.wall_motions.size() > 1 && (!has_free_wall(problem) || !formulation.walls)) {
       return "wall motion mass changes nothing where no wall goes with the gas";
@@ -159,6 +175,7 @@ Expansion expand(Study const& study) {
         skip_once({info.id, label, reference_only});
         continue;
       }
+      std::vector<Discretisation> taken;
       for (Discretisation d : discretisations(study)) {
         if (!moves(info.kind)) {
           if (is_repeated_at_rest(study, d)) continue;
@@ -166,12 +183,18 @@ Expansion expand(Study const& study) {
           d.wall_motion = "velocity";
         }
         if (std::string const reason = repeats(study, info, problem, formulation, d); !reason.empty()) {
-          skip_once({info.id, label, reason});
+          bool const goes_without_saying =
+              (!suits(info.kind, d.density) && left_open(study.densities, "given", "continuity")) ||
+              (!integrates(info.kind, d.integrator) && left_open(study.integrators, "bdf", "auto"));
+          if (!goes_without_saying) skip_once({info.id, label, reason});
           continue;
         }
         if (d.integrator == "auto") d.integrator = info.discontinuous ? "leapfrog" : "runge-kutta";
         for (ViscosityChoice const& viscosity : viscosities(study, info)) {
           d.viscosity = viscosity;
+          // Two words may come to the same, such as auto and leapfrog.
+          if (std::find(taken.begin(), taken.end(), d) != taken.end()) continue;
+          taken.push_back(d);
           for (double const exponent : study.smoothing_exponents) {
             for (int const resolution : study.resolutions) {
               double const ratio = d.smoothing_ratio * std::pow(resolution / coarsest, exponent);

@@ -63,6 +63,17 @@ class Documents(ProgramTest):
                     measured, prescribed, defect = (p[0] if isinstance(p, list) else p for p in parts)
                     self.assertAlmostEqual(measured - prescribed, defect, delta=1e-14)
 
+    def test_the_end_of_the_history_is_the_budget(self):
+        for run in self.results(moving_study())["runs"]:
+            history = run["history"]
+            energy, momentum = (run["conservation"][key] for key in ("energy", "momentum"))
+            self.assertAlmostEqual(history["energy"][-1], energy["final"], delta=1e-13)
+            self.assertAlmostEqual(history["momentum"][-1], momentum["final"][0], delta=1e-13)
+            self.assertAlmostEqual(history["exchanged"][-1], energy["exchanged"], delta=1e-14)
+            self.assertLess(abs(energy["drift"]), 1e-3)
+            for wall, defects in zip(run["wall_budgets"], history["wall_impulse_defect"]):
+                self.assertAlmostEqual(defects[-1], wall["impulse"]["defect"][0], delta=1e-14)
+
     def test_no_wall_code_runs_in_a_periodic_domain(self):
         runs = self.results(moving_study())["runs"]
         walled = [run for run in runs if run["case"] == "hydro/piston-pressure"]

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <string>
@@ -347,6 +348,45 @@ BOOST_AUTO_TEST_CASE(gas_cases_solve_the_euler_equations_with_conduction_and_the
     BOOST_TEST(checked > 30u);
     if (!info.discontinuous && info.id != "hydro/uniform") BOOST_TEST(largest > 1e-5);  // something happens
   });
+}
+
+// Mass, momentum and energy that enter a shock leave it, by the fields on its two sides and its speed alone.
+BOOST_AUTO_TEST_CASE(shocks_of_gas_cases_obey_the_jump_conditions_and_end_in_their_plateaus) {
+  std::size_t checked = 0;
+  for_each_problem([&]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    if (!problem.shocks) return;
+    double const t = 0.7 * problem.final_time;
+    auto const fronts = problem.shocks(t);
+    auto const later = problem.shocks(problem.final_time);
+    for (std::size_t f = 0; f < fronts.size(); ++f) {
+      ShockFront const& front = fronts[f];
+      double const speed = (later[f].position - front.position) / (problem.final_time - t);
+      Vector<Dim> const offset = along<Dim>(0, 1e-9);
+      Vector<Dim> const place = front.position * Vector<Dim>::Unit(0);
+      std::array<std::array<double, 3>, 2> fluxes{};
+      for (int side = 0; side < 2; ++side) {
+        Vector<Dim> const x = side == 0 ? Vector<Dim>(place - offset) : Vector<Dim>(place + offset);
+        double const rho = problem.scalars.at(Field::density)(x, t);
+        double const P = problem.scalars.at(Field::pressure)(x, t);
+        double const e = problem.scalars.at(Field::internal_energy)(x, t);
+        double const w = problem.vectors.at(Field::velocity)(x, t)[0] - speed;
+        double const j = rho * w;
+        fluxes[static_cast<std::size_t>(side)] = {j, P + j * w, j * (e + 0.5 * w * w) + P * w};
+      }
+      for (std::size_t k = 0; k < 3; ++k) {
+        double const size = std::max(std::abs(fluxes[0][k]), std::abs(fluxes[1][k]));
+        BOOST_TEST(std::abs(fluxes[0][k] - fluxes[1][k]) < 1e-6 * size);
+      }
+      Vector<Dim> const middle = 0.5 * (front.plateau_lower + front.plateau_upper) * Vector<Dim>::Unit(0);
+      BOOST_TEST(std::abs(problem.scalars.at(Field::density)(middle, t) - front.density) <
+                 1e-12 * front.density);
+      BOOST_TEST(std::abs(problem.scalars.at(Field::pressure)(middle, t) - front.pressure) <
+                 1e-12 * front.pressure);
+      BOOST_TEST(std::abs(problem.vectors.at(Field::velocity)(middle, t)[0] - front.velocity) < 1e-12);
+      ++checked;
+    }
+  });
+  BOOST_TEST(checked >= 4u);
 }
 
 BOOST_AUTO_TEST_CASE(operator_cases_give_the_rates_of_their_fields) {

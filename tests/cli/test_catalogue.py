@@ -14,6 +14,10 @@ FORMULATIONS = {
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy", "work/internal-energy",
     "work/sqrt-p", "conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux",
 }  # fmt: skip
+FIVE_THIRDS = "1.6666666666666667"
+PISTON = {
+    "initial_pressure": "0.5", "pressure": "1", "density": "1", "gamma": FIVE_THIRDS, "final_time": "0.5",
+}  # fmt: skip
 CASES = {  # with the parameters and defaults of the contract
     "operator/polynomial": {"degree": "0", "dimension": "1"},
     "operator/sine": {"wavenumber": "3", "phase": "0.3", "offset": "2", "dimension": "1"},
@@ -29,6 +33,15 @@ CASES = {  # with the parameters and defaults of the contract
     "conduction/manufactured": {"dimension": "1"},
     "conduction/barenblatt": {"exponent": "2", "constant": "1", "start_time": "1"},
     "conduction/marshak": {"exponent": "3"},
+    "hydro/uniform": {"pressure": "1", "density": "1"},
+    "hydro/manufactured": {"dimension": "1"},
+    "hydro/acoustic": {"amplitude": "0.0001"},
+    "hydro/riemann": {"preset": '"sod"', "left": None, "right": None, "gamma": "1.4", "interface": "0.5"},
+    "hydro/piston-velocity": PISTON,
+    "hydro/piston-pressure": PISTON,
+    "hydro/noh": {"dimension": "1", "gamma": FIVE_THIRDS, "final_time": "0.6"},
+    "coupled/hot-wall": {},
+    "coupled/manufactured": {},
 }  # fmt: skip
 IDENTIFIERS = {
     "formulations": FORMULATIONS,

@@ -33,8 +33,8 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
     stepping.rate(t, state.data(), middle.data(), dydt.data());
     if (system.quadratures > 0) system.quadrature(t, state.data(), dqdt.data());
   };
-  auto const fail = [&](std::string reason) {
-    result.outcome = OdeOutcome::failed;
+  auto const end = [&](OdeOutcome outcome, std::string reason) {
+    result.outcome = outcome;
     result.reason = std::move(reason);
   };
 
@@ -43,11 +43,11 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
   while (result.time < final_time) {
     double const limit = stepping.largest_step(result.time);
     if (!(limit > stepping.smallest_step)) {
-      fail(fmt::format("the step collapsed to {:.3g}", limit));
+      end(OdeOutcome::failed, fmt::format("the step collapsed to {:.3g}", limit));
       break;
     }
     if (result.steps == stepping.most_steps) {
-      fail(fmt::format("{} steps were not enough", stepping.most_steps));
+      end(OdeOutcome::out_of_steps, fmt::format("{} steps were not enough", stepping.most_steps));
       break;
     }
     double const dt = even_step(final_time - result.time, limit);

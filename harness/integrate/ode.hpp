@@ -40,7 +40,12 @@ struct Tolerances {
   double absolute;
 };
 
-enum class OdeOutcome { finished, stopped, failed };
+enum class OdeOutcome {
+  finished,
+  stopped,      ///< by the monitor
+  failed,       ///< the integrator gave up
+  out_of_steps  ///< of Stepping::most_steps
+};
 
 struct OdeResult {
   OdeOutcome outcome = OdeOutcome::finished;

@@ -6,6 +6,7 @@
 
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/expects.hpp"
+#include "formulations/support/smoothing_length.hpp"
 
 namespace sphverify {
 
@@ -33,11 +34,12 @@ NormSet norms(std::span<double const> values, std::span<double const> weights) {
 
 template <int Dim>
 std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls) {
-  double const support = CubicSpline<Dim>::support_ratio * particles.smoothing_length();
+  SmoothingLength const h(particles);
   Region all{"all", {}}, wall{"wall", {}}, interior{"interior", {}};
   for (std::size_t i = 0; i < particles.size(); ++i) {
     double nearest = std::numeric_limits<double>::infinity();
     for (Wall<Dim> const& one : walls) nearest = std::min(nearest, one.distance(particles.positions()[i]));
+    double const support = CubicSpline<Dim>::support_ratio * h(i);
     all.particles.push_back(i);
     if (nearest < support) wall.particles.push_back(i);
     if (nearest > 2.0 * support) interior.particles.push_back(i);

@@ -12,6 +12,7 @@
 #include "harness/run/clock.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/frozen_conduction.hpp"
+#include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
 
@@ -176,15 +177,7 @@ class ConductionRun {
   void describe_scene() {
     record_.scene = conduction_.scene().record();
     if (record_.discretisation.face_weight == "balanced")
-      record_.smallest_face_weight = smallest_face_weight();
-  }
-
-  Number smallest_face_weight() {
-    Number smallest;
-    for (auto const& contacts : conduction_.scene().geometry().contacts) {
-      for (double const weight : contacts.face_weight) smallest = std::min(smallest.value_or(weight), weight);
-    }
-    return smallest;
+      record_.smallest_face_weight = smallest_face_weight(conduction_.scene().geometry());
   }
 
   void measure(OdeResult const& result) {
@@ -210,7 +203,6 @@ class ConductionRun {
     Scene<Dim>& scene = conduction_.scene();
     auto const power = scene.wall_power();
     auto const areas = scene.wall_areas();
-    double const support = 2.0 * particles_.smoothing_length();
     double scale = 0.0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
       Vector<Dim> const flux =
@@ -219,20 +211,11 @@ class ConductionRun {
         scale = std::max(scale, std::abs(flux.dot(wall.outward_normal)));
     }
     for (std::size_t w = 0; w < problem_.walls.size(); ++w) {
-      // The exact flux is averaged over the foot points of the particles that see the wall.
-      Wall<Dim> const& wall = problem_.walls[w];
-      double sum = 0.0;
-      double weight = 0.0;
-      for (std::size_t i = 0; i < particles_.size(); ++i) {
-        Vector<Dim> const x = particles_.positions()[i];
-        if (wall.distance(x) >= support) continue;
-        sum -= volumes_[i] *
-               problem_.vectors.at(Field::flux)(wall.foot(x), problem_.final_time).dot(wall.outward_normal);
-        weight += volumes_[i];
-      }
-      if (weight == 0.0) continue;
+      Number const inward = exact_wall_flux(problem_.vectors.at(Field::flux), problem_.walls[w], particles_,
+                                            volumes_, problem_.final_time);
+      if (!inward) continue;
       double const measured = power[w] / areas[w];
-      record_.wall_flux.push_back({measured, sum / weight, measured - sum / weight, scale});
+      record_.wall_flux.push_back({measured, *inward, measured - *inward, scale});
     }
   }
 

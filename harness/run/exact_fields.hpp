@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/particles.hpp"
+#include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/smoothing_length.hpp"
+#include "reports/results.hpp"
 
 namespace sphverify {
 
@@ -41,6 +43,24 @@ std::vector<double> exact_volumes(Problem<Dim> const& problem, Particles<Dim> co
     volumes[i] = particles.masses()[i] / (volumes[i] > 0.0 ? volumes[i] : computed[i]);
   }
   return volumes;
+}
+
+/// The exact heat flux into the fluid through a wall [W/m^2], averaged over the foot points of the particles
+/// that see it; empty where none does.
+/// @param volumes weights, one per particle
+template <int Dim>
+Number exact_wall_flux(VectorFunction<Dim> const& flux, Wall<Dim> const& wall,
+                       Particles<Dim> const& particles, std::vector<double> const& volumes, double time) {
+  SmoothingLength const h(particles);
+  double sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    Vector<Dim> const x = particles.positions()[i];
+    if (wall.distance(x) >= CubicSpline<Dim>::support_ratio * h(i)) continue;
+    sum -= volumes[i] * flux(wall.foot(x), time).dot(wall.outward_normal);
+    weight += volumes[i];
+  }
+  return weight != 0.0 ? Number(sum / weight) : std::nullopt;
 }
 
 inline double largest_magnitude(std::span<double const> values) {

@@ -8,12 +8,12 @@
 #include <memory>
 #include <optional>
 
-#include "formulations/support/cubic_spline.hpp"
 #include "harness/measure/norms.hpp"
 #include "harness/measure/shock.hpp"
 #include "harness/run/clock.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/moving_gas.hpp"
+#include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
 
@@ -100,10 +100,10 @@ class MovingRun {
     } catch (BrokenRun const& broken) {
       return give_up(state, broken.status(), broken.what());
     }
+    std::string const when = fmt::format(" at t = {:.6g}", result.time);
+    if (result.outcome == OdeOutcome::out_of_steps) return give_up(state, "timed-out", result.reason + when);
     if (result.outcome == OdeOutcome::failed) {
-      bool const out_of_steps = result.reason.find("not enough") != std::string::npos;
-      return give_up(state, out_of_steps ? "timed-out" : "unstable",
-                     result.reason + fmt::format(" at t = {:.6g}", result.time) + collision(state));
+      return give_up(state, "unstable", result.reason + when + collision(state));
     }
     if (result.outcome == OdeOutcome::stopped) return give_up(state, status, result.reason);
     state.steps = result.steps;
@@ -260,7 +260,9 @@ class MovingRun {
       volume += scene.particles().masses()[i] / scene.particles().scalar(Field::density)[i];
     }
     motion.volume_defect = scene.volume_defect() / volume;
-    if (record_.discretisation.face_weight == "balanced") measure_face_weights(scene);
+    if (record_.discretisation.face_weight == "balanced") {
+      record_.smallest_face_weight = smallest_face_weight(scene.geometry());
+    }
     if (options_.measure.contains(Measure::error)) {
       record_.errors = differences(state, nullptr);
       measure_wall_flux(scene);
@@ -271,14 +273,6 @@ class MovingRun {
     if (options_.measure.contains(Measure::history)) store_history(state.history);
     if (options_.measure.contains(Measure::energy_routes)) measure_energy_routes(state, motion);
     if (options_.measure.contains(Measure::cost)) measure_cost(state);
-  }
-
-  void measure_face_weights(MovingScene<Dim> const& scene) {
-    Number smallest;
-    for (auto const& contacts : scene.geometry().contacts) {
-      for (double const weight : contacts.face_weight) smallest = std::min(smallest.value_or(weight), weight);
-    }
-    record_.smallest_face_weight = smallest;
   }
 
   void measure_wall_flux(MovingScene<Dim> const& scene) {
@@ -293,22 +287,13 @@ class MovingRun {
         scale = std::max(scale, std::abs(flux.dot(wall.outward_normal)));
     }
     auto const exchange = scene.wall_exchange();
-    double const support = CubicSpline<Dim>::support_ratio * particles.smoothing_length();
+    auto const volumes = exact_volumes(problem_, particles, t);
     for (std::size_t w = 0; w < exchange.size(); ++w) {
-      // The exact flux is averaged over the foot points of the particles that see the wall.
       Wall<Dim> const& wall = scene.walls()[w];
-      double sum = 0.0;
-      double weight = 0.0;
-      for (std::size_t i = 0; i < particles.size(); ++i) {
-        Vector<Dim> const x = particles.positions()[i];
-        if (wall.distance(x) >= support) continue;
-        double const volume = particles.masses()[i] / particles.scalar(Field::density)[i];
-        sum -= volume * exact(wall.foot(x), t).dot(wall.outward_normal);
-        weight += volume;
-      }
-      if (weight == 0.0) continue;
-      double const measured = exchange[w].heat / scene.area(wall);
-      record_.wall_flux.push_back({measured, sum / weight, measured - sum / weight, scale});
+      Number const inward = exact_wall_flux(exact, wall, particles, volumes, t);
+      if (!inward) continue;
+      double const measured = exchange[w].heat / wall_area(problem_.domain, wall);
+      record_.wall_flux.push_back({measured, *inward, measured - *inward, scale});
     }
   }
 

@@ -11,6 +11,7 @@
 #include "formulations/support/sweep.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
+#include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
 
@@ -161,6 +162,7 @@ std::vector<double> MovingScene<Dim>::scales() const {
 template <int Dim>
 void MovingScene<Dim>::evaluate(double time, double const* state, double const* drift) {
   time_ = time;
+  ++evaluations_;
   load(state);
   copy_into(drift_, drift ? drift : state + coordinates());
   place_walls(time, state + unknowns() - free_walls_.size());
@@ -394,6 +396,7 @@ void MovingScene<Dim>::evaluate_rates(double time) {
   if (viscosity_.is_on()) {
     evaluate_viscosity(viscosity_, particles_, geometry_, problem_.domain, closure_, threads_, viscous_);
     ++passes_["viscosity"];
+    work_.pair_interactions += geometry_.neighbours.pairs();
     for (std::size_t i = 0; i < n; ++i) {
       acceleration_.add(i, viscous_.acceleration[i]);
       energy_rate_[i] += viscous_.heating[i];
@@ -516,15 +519,6 @@ std::string MovingScene<Dim>::closest_approach() const {
 }
 
 template <int Dim>
-double MovingScene<Dim>::area(Wall<Dim> const& wall) const {
-  double area = 1.0;
-  for (int k = 0; k < Dim; ++k) {
-    if (std::abs(wall.outward_normal[k]) < 0.5) area *= problem_.domain.extent()[k];
-  }
-  return area;
-}
-
-template <int Dim>
 std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
   std::vector<WallExchange<Dim>> all(walls_.size());
   for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
@@ -543,7 +537,7 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
       exchange.force += viscous_.wall_force[w];
       exchange.power += viscous_.wall_power[w];
     }
-    double const whole = area(walls_[w]);
+    double const whole = wall_area(problem_.domain, walls_[w]);
     double const pressure = face_mean(contacts, [&](std::size_t c) { return contacts.pressure[c]; });
     double const work = face_mean(contacts, [&](std::size_t c) {
       return contacts.pressure[c] * contacts.velocity[c].dot(contacts.outward_normal);
@@ -643,6 +637,13 @@ double MovingScene<Dim>::volume_defect() const {
     volume -= particles_.masses()[i] / particles_.scalar(Field::density)[i];
   }
   return volume;
+}
+
+template <int Dim>
+WorkCount MovingScene<Dim>::work() const {
+  WorkCount work = work_;
+  work.evaluations = evaluations_;  // of all schemes together
+  return work;
 }
 
 template <int Dim>

@@ -89,10 +89,8 @@ class MovingScene {
   /// Volume between the walls, less the sum of m/rho over it.
   double volume_defect() const;
 
-  /// Area of a wall [m^(Dim-1)]: the product of the domain's extents along it.
-  double area(Wall<Dim> const& wall) const;
-
-  WorkCount const& work() const { return work_; }
+  /// Evaluations of the whole rate, whatever its parts.
+  WorkCount work() const;
   SceneRecord record() const;
   std::size_t bytes() const { return particles_.bytes() + geometry_.bytes(); }
 
@@ -144,7 +142,8 @@ class MovingScene {
   std::vector<double> conduction_wall_power_;
   std::vector<double> wall_speed_;  ///< along the outward normal, of the free walls
   double time_ = 0.0;
-  WorkCount work_;
+  std::uint64_t evaluations_ = 0;
+  WorkCount work_;  ///< of the schemes, each evaluated by itself
   std::map<std::string_view, std::uint64_t> passes_;
 };
 

@@ -7,6 +7,7 @@
 #include "formulations/support/sweep.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
+#include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
 
@@ -179,14 +180,7 @@ double Scene<Dim>::source_power(double time) {
 template <int Dim>
 std::vector<double> Scene<Dim>::wall_areas() const {
   std::vector<double> areas;
-  Vector<Dim> const extent = problem_.domain.extent();
-  for (Wall<Dim> const& wall : problem_.walls) {
-    double area = 1.0;
-    for (int k = 0; k < Dim; ++k) {
-      if (std::abs(wall.outward_normal[k]) < 0.5) area *= extent[k];
-    }
-    areas.push_back(area);
-  }
+  for (Wall<Dim> const& wall : problem_.walls) areas.push_back(wall_area(problem_.domain, wall));
   return areas;
 }
 

@@ -625,4 +625,47 @@ BOOST_AUTO_TEST_CASE(a_state_that_makes_no_sense_is_named_with_who_and_when) {
   check(31, nan, "non-finite", "density of particle 1 is nan at t = 0.1");
 }
 
+// Pressure, its work, heat conduction and moving walls at once, against a solution that is none of ours.
+BOOST_AUTO_TEST_CASE(shock_that_conduction_smooths_converges_at_first_order) {
+  std::vector<double> errors;
+  for (int const resolution : {25, 50, 100}) {
+    Discretisation d = moved_by("runge-kutta", {}, "normalised");
+    d.closure = "one-sided";
+    RunRecord const record = run_well({.scene_case = "coupled/conducting-shock",
+                                       .conduction = "conduction/brookshaw",
+                                       .resolution = resolution,
+                                       .discretisation = d},
+                                      {Measure::error});
+    RegionError const& temperature = record.errors.at("temperature").at("all");
+    errors.push_back(temperature.error.l2 / temperature.scale.l2);
+  }
+  BOOST_TEST(errors[0] < 6e-3);
+  BOOST_TEST(errors[1] < 0.65 * errors[0]);
+  BOOST_TEST(errors[2] < 0.65 * errors[1]);
+}
+
+BOOST_AUTO_TEST_CASE(hot_piston_gives_the_heat_that_fourier_says) {
+  Discretisation d = moved_by("runge-kutta", {}, "normalised");
+  d.closure = "one-sided";
+  RunRecord const record = run_well({.scene_case = "coupled/hot-wall",
+                                     .conduction = "conduction/brookshaw",
+                                     .resolution = 100,
+                                     .discretisation = d,
+                                     .smoothing_ratio = 2.4},
+                                    {Measure::error});
+  BOOST_TEST_REQUIRE(record.wall_flux.size() == 2u);
+  BOOST_TEST(record.wall_flux[0].exact > 0.05);
+  BOOST_TEST(std::abs(record.wall_flux[0].error) < 0.01 * record.wall_flux[0].exact);
+  BOOST_TEST(record.errors.at("temperature").at("all").error.l2 < 2e-3);
+}
+
+BOOST_AUTO_TEST_CASE(an_evaluation_is_counted_once_whatever_its_parts) {
+  RunRecord const record = run_well(
+      {.scene_case = "hydro/piston-velocity", .discretisation = moved_by("leapfrog", usual_viscosity)},
+      {Measure::cost});
+  // Two a step, the first and the final state; one more when no earlier rate is at hand.
+  BOOST_TEST(record.cost->rate_evaluations >= 2 * record.cost->steps);
+  BOOST_TEST(record.cost->rate_evaluations <= 2 * record.cost->steps + 2);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -3,6 +3,7 @@
 #include <tuple>
 
 #include "cases/conduction/barenblatt.hpp"
+#include "cases/conduction/box.hpp"
 #include "cases/conduction/half_space_step.hpp"
 #include "cases/conduction/manufactured.hpp"
 #include "cases/conduction/marshak.hpp"
@@ -13,10 +14,12 @@
 #include "cases/coupled/hot_wall.hpp"
 #include "cases/coupled/manufactured.hpp"
 #include "cases/hydro/acoustic.hpp"
+#include "cases/hydro/gresho.hpp"
 #include "cases/hydro/manufactured.hpp"
 #include "cases/hydro/noh.hpp"
 #include "cases/hydro/piston.hpp"
 #include "cases/hydro/riemann.hpp"
+#include "cases/hydro/sedov.hpp"
 #include "cases/hydro/simple_wave.hpp"
 #include "cases/hydro/uniform.hpp"
 #include "cases/hydro/vacuum_release.hpp"
@@ -29,9 +32,11 @@ namespace sphverify {
 /// it.
 using AllCases = std::tuple<OperatorPolynomial, OperatorSine,                                               //
                             SlabDirichlet, SlabInsulated, SlabFlux, HalfSpaceStep,                          //
+                            ConductionSquare, ConductionCube,                                               //
                             ManufacturedConduction, BarenblattPulse, MarshakWave,                           //
                             UniformGas, ManufacturedGas, AcousticWave, SimpleWavePiston,                    //
                             PistonOfVelocity, PistonOfPressure, RiemannProblem, NohProblem, VacuumRelease,  //
+                            SedovExplosion, GreshoVortex,                                                   //
                             ManufacturedConductingGas, HotWallGas, ConductingShockWave>;
 
 }  // namespace sphverify

@@ -28,7 +28,7 @@ function(sphverify_compile_options target)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   # -fno-math-errno changes no result: it only lets sqrt be an instruction.
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
-    -fno-math-errno $<$<BOOL:${SPHVERIFY_WARNINGS_AS_ERRORS}>:-Werror>)
+    -fno-math-errno -ffp-contract=off $<$<BOOL:${SPHVERIFY_WARNINGS_AS_ERRORS}>:-Werror>)
   if(SPHVERIFY_SANITIZE)
     target_compile_options(${target} PUBLIC -fsanitize=${SPHVERIFY_SANITIZE} -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${SPHVERIFY_SANITIZE})

@@ -27,6 +27,23 @@ void require_non_negative(SchemeInfo const& scheme, std::string_view where, std:
                       std::string(where) + " " + std::to_string(index) + " has " + readable(value));
 }
 
+/// Which of the list a scheme is.
+template <class Scheme, class... Schemes>
+constexpr std::size_t index_in(std::tuple<Schemes...> const*) {
+  std::size_t index = 0;
+  (void)((std::is_same_v<Scheme, Schemes> || (++index, false)) || ...);
+  return index;
+}
+
+template <class Scheme, int Dim>
+RowFunction pair_sum() {
+  if constexpr (std::is_same_v<Scheme, ContinuityDensity>) {
+    return sweep_kernels<Dim>().continuity;
+  } else {
+    return sweep_kernels<Dim>().rate[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))];
+  }
+}
+
 template <class Scheme, int Dim>
 class SchemeOperator final : public RateOperator<Dim> {
  public:
@@ -34,23 +51,20 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   SchemeInfo const& info() const override { return Scheme::info; }
 
-  void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
-                int threads, WorkCount& work) override {
+  void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
+                  double time, int threads, PairSweep<Dim>& sweep) override {
     constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
-    ++work.evaluations;
     if constexpr (Scheme::info.two_pass) {
-      constexpr BoundaryValueSet first_pass{BoundaryValue::temperature};
-      fill(particles, geometry, first_pass, closure, time);
-      auto& flux = particles.vector(Field::flux);
-      sweep_pairs<Vector<Dim>>(
-          geometry.neighbours, geometry.weights, particles, threads, flux,
-          [](auto const& i, auto const& j, auto const& W) { return Scheme::flux_pair(i, j, W); });
-      for (auto const& contacts : geometry.contacts) {
-        sweep_wall<Vector<Dim>>(contacts, particles, flux,
-                                [](auto const& i, auto const& B) { return Scheme::flux_wall(i, B); });
+      if (pass == 0) {
+        fill(particles, geometry, {BoundaryValue::temperature}, closure, time);
+        RowFunction const sum =
+            sweep_kernels<Dim>().flux[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))];
+        sweep.add(sum, reads(), Scheme::info.kernel, particles.vector(Field::flux));
+        return;
       }
-      count(geometry, work);
       fill(particles, geometry, flux_only, closure, time);
+      sweep.add(pair_sum<Scheme, Dim>(), reads() | FieldSet{Field::flux}, Scheme::info.kernel,
+                output(particles));
     } else {
       for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
         bool const takes_flux = Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) &&
@@ -58,21 +72,47 @@ class SchemeOperator final : public RateOperator<Dim> {
         fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
                              takes_flux ? flux_only : Scheme::info.boundary, closure, time);
       }
+      check(particles, geometry);
+      if constexpr (Scheme::info.difference_form) {
+        if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
+      }
+      sweep.add(pair_sum<Scheme, Dim>(), reads(), Scheme::info.kernel, output(particles));
     }
-    check(particles, geometry);
+  }
 
-    auto const rate = [](auto const& i, auto const& j, auto const& W) { return Scheme::pair(i, j, W); };
-    auto const wall = [](auto const& i, auto const& B) { return Scheme::wall(i, B); };
-    auto& out = output(particles);
-    sweep_pairs<Value>(geometry.neighbours, geometry.weights, particles, threads, out, rate);
+  void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& geometry,
+                WorkCount& work) override {
+    work.pair_interactions += geometry.neighbours.pairs();
+    for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
+    if constexpr (Scheme::info.two_pass) {
+      if (pass == 0) {
+        for (auto const& contacts : geometry.contacts) {
+          sweep_wall<Vector<Dim>>(contacts, particles, particles.vector(Field::flux),
+                                  [](auto const& i, auto const& B) { return Scheme::flux_wall(i, B); });
+        }
+        return;
+      }
+    }
     wall_terms_.clear();
     exchanged_.clear();
     for (auto const& contacts : geometry.contacts) {
-      wall_terms_.push_back(sweep_wall<Value>(contacts, particles, out, wall));
+      wall_terms_.push_back(
+          sweep_wall<Value>(contacts, particles, output(particles),
+                            [](auto const& i, auto const& B) { return Scheme::wall(i, B); }));
       exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
     }
-    count(geometry, work);
   }
+
+  void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) override {
+    if constexpr (Scheme::info.difference_form) {
+      PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
+      auto const of_row =
+          sweep_kernels<Dim>().conductance[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))];
+      conductance_ = sweep.conductances(of_row, reads(), particles);
+    }
+  }
+
+  std::size_t bytes() const override { return conductance_.capacity() * sizeof(double); }
 
   std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const override {
     if constexpr (std::is_same_v<Value, Vector<Dim>>)
@@ -117,9 +157,15 @@ class SchemeOperator final : public RateOperator<Dim> {
     }
   }
 
-  static void count(PairGeometry<Dim> const& geometry, WorkCount& work) {
-    work.pair_interactions += geometry.neighbours.pairs();
-    for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
+  static constexpr FieldSet reads() { return Scheme::info.reads | FieldSet{Field::mass}; }
+
+  void conduct(Particles<Dim>& particles, NeighbourList const& neighbours, int threads) const {
+    double const* const temperature = particles.scalar(Field::temperature).data();
+    double* const rate = particles.scalar(Field::heating).data();
+    for_each_block(neighbours.rows(), threads, [&](std::size_t begin, std::size_t end) {
+      sweep_kernels<Dim>().conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(),
+                                   temperature, begin, end, rate);
+    });
   }
 
   static void check(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry) {
@@ -136,6 +182,7 @@ class SchemeOperator final : public RateOperator<Dim> {
     }
   }
 
+  std::vector<double> conductance_;             ///< per pair, once frozen
   std::vector<std::vector<Value>> wall_terms_;  ///< per wall and contact
   std::vector<Value> exchanged_;
   std::vector<std::vector<Vector<Dim>>> no_acceleration_;
@@ -160,6 +207,18 @@ SchemeInfo const* find_scheme(std::string_view id) {
 }
 
 template <int Dim>
+void RateOperator<Dim>::evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
+                                 double time, int threads, WorkCount& work) {
+  ++work.evaluations;
+  for (int pass = 0; pass < passes(); ++pass) {
+    PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
+    begin_pass(pass, particles, geometry, closure, time, threads, sweep);
+    if (!sweep.empty()) sweep.run(particles);
+    end_pass(pass, particles, geometry, work);
+  }
+}
+
+template <int Dim>
 std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id) {
   std::unique_ptr<RateOperator<Dim>> found;
   std::apply(
@@ -179,6 +238,9 @@ std::unique_ptr<RateOperator<Dim>> make_continuity_operator() {
   return std::make_unique<SchemeOperator<ContinuityDensity, Dim>>();
 }
 
+template class RateOperator<1>;
+template class RateOperator<2>;
+template class RateOperator<3>;
 template std::unique_ptr<RateOperator<1>> make_continuity_operator();
 template std::unique_ptr<RateOperator<2>> make_continuity_operator();
 template std::unique_ptr<RateOperator<3>> make_continuity_operator();

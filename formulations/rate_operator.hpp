@@ -8,6 +8,7 @@
 
 #include "formulations/support/pair_geometry.hpp"
 #include "formulations/support/scheme.hpp"
+#include "formulations/support/sweep/pair_sweep.hpp"
 
 namespace sphverify {
 
@@ -36,8 +37,24 @@ class RateOperator {
 
   /// Evaluates the rate of all particles at a time (which walls may depend on).
   /// Throws UndefinedRate.
-  virtual void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
-                        int threads, WorkCount& work) = 0;
+  void evaluate(Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
+                int threads, WorkCount& work);
+
+  /// The parts of `evaluate`, for sweeps that several operators share: for every pass, `begin_pass` of all of
+  /// them, the sweep, `end_pass` of all of them.
+  int passes() const { return info().two_pass ? 2 : 1; }
+  /// Fills the boundary values and adds the pass's term.
+  /// Throws UndefinedRate.
+  virtual void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
+                          double time, int threads, PairSweep<Dim>& sweep) = 0;
+  /// Adds the wall terms.
+  virtual void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& geometry,
+                        WorkCount& work) = 0;
+
+  /// Promises that from now on nothing changes but temperatures: where the form is linear in these its pairs
+  /// are computed once. Does nothing for forms that are not.
+  virtual void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) = 0;
+  virtual std::size_t bytes() const = 0;
 
   /// Sum over particles of m_i times the wall's part of the rate in the last evaluation, per wall: the power
   /// [W] of heating and work, or the force [N] along x, y, z of an acceleration.

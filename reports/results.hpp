@@ -21,9 +21,9 @@ struct Context {
 };
 
 struct LayoutChoice {
-  std::string id;          ///< lattice, jittered
+  std::string id;          ///< lattice, jittered, glass, ...
   double amplitude = 0.0;  ///< of the displacement, in particle spacings
-  std::uint64_t seed = 0;  ///< of a jittered layout
+  std::uint64_t seed = 0;  ///< of a layout that is drawn by lot
   bool operator==(LayoutChoice const&) const = default;
 };
 
@@ -135,7 +135,7 @@ struct Motion {
   std::map<std::string, std::uint64_t> steps_bound_by;  ///< step limit -> steps that it bound
   Number smallest_step, largest_step;                   ///< [s]
   double lowest_density = 0.0, lowest_pressure = 0.0;   ///< of any particle after any step
-  double volume_defect = 0.0;  ///< volume between the walls less the sum of m/rho, as a part of that sum
+  Number volume_defect;  ///< volume between the walls less the sum of m/rho, as a part of that sum; none without walls all round
   Number wall_heating;   ///< relative error of the internal energy nearest a wall, the largest; at shocks
   Number energy_routes;  ///< l2 difference of internal energy to the same run with the other work form,
                          ///< relative to its l2 norm; if asked for
@@ -222,7 +222,7 @@ struct TimeToError {
   bool is_bound = false;  ///< the coarsest level reached it already: an upper bound
 };
 
-/// Runs that differ only in resolution (and in the seed of a jittered layout).
+/// Runs that differ only in resolution (and in the seed of a layout that is drawn by lot).
 struct Series {
   std::string case_id, label;
   std::map<std::string, ParameterValue> parameters;

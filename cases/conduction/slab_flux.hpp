@@ -15,11 +15,12 @@ struct SlabFlux {
             .equation =
                 "rho dT/dt = K d2T/dx2, -K dT/dx = flux at x = 0, 0 at x = 1; series in cosines (late) or "
                 "images (early)",
-            .domain = "0 <= x <= 1",
+            .domain = "0 <= x <= 1, other axes periodic with period 1",
             .walls = "x = 0 prescribes the flux into the slab, x = 1 zero flux",
             .initial = "uniform",
             .kind = CaseKind::conduction,
-            .parameters = {{"flux", "W/m^2", "heat flux into the slab at x = 0", 1.0},
+            .parameters = {{"dimension", "", "1, 2 or 3", 1.0, true},
+                           {"flux", "W/m^2", "heat flux into the slab at x = 0", 1.0},
                            {"initial", "K", "initial temperature", 1.0},
                            {"conductivity", "W/(m K)", "K", 1.0},
                            {"density", "kg/m^3", "rho", 1.0},
@@ -28,13 +29,15 @@ struct SlabFlux {
   static AnyProblem problem(Parameters const& p) {
     double const conductivity = p.number("conductivity");
     exact::SlabFlux const exact(p.number("initial"), p.number("flux"), conductivity, p.number("density"));
-    Problem<1> problem = conduction_problem(
-        exact, slab<1>(0.0, 1.0), p.number("density"), [conductivity](double) { return conductivity; },
-        false);
-    prescribe_flux(problem.walls[0], p.number("flux"));
-    prescribe_flux(problem.walls[1], 0.0);
-    problem.final_time = p.number("final_time");
-    return problem;
+    return in_dimension(p.integer("dimension"), [&]<int Dim>() -> AnyProblem {
+      Problem<Dim> problem = conduction_problem(
+          exact, slab<Dim>(0.0, 1.0), p.number("density"), [conductivity](double) { return conductivity; },
+          false);
+      prescribe_flux(problem.walls[0], p.number("flux"));
+      prescribe_flux(problem.walls[1], 0.0);
+      problem.final_time = p.number("final_time");
+      return problem;
+    });
   }
 };
 

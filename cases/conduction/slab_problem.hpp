@@ -10,42 +10,46 @@
 
 namespace sphverify {
 
-/// The parts that all 1D conduction cases with an exact solution `temperature(x, t)`, `gradient(x, t)` share:
-/// domain, two walls that prescribe nothing yet, uniform density, conductivity, temperature and flux.
-template <class Exact>
-Problem<1> conduction_problem(Exact const& exact, Domain<1> const& domain, double density,
-                              std::function<double(double temperature)> conductivity,
-                              bool depends_on_temperature) {
-  Problem<1> problem;
+/// The parts that all conduction cases share whose exact solution `temperature(x, t)`, `gradient(x, t)`
+/// depends on the first coordinate only: domain, two walls that prescribe nothing yet, uniform density,
+/// conductivity, temperature and flux.
+template <int Dim, class Exact>
+Problem<Dim> conduction_problem(Exact const& exact, Domain<Dim> const& domain, double density,
+                                std::function<double(double temperature)> conductivity,
+                                bool depends_on_temperature) {
+  using Point = Vector<Dim>;
+  Problem<Dim> problem;
   problem.domain = domain;
   problem.walls = slab_walls(domain);
-  problem.scalars[Field::density] = [density](Vector<1> const&, double) { return density; };
-  problem.scalars[Field::temperature] = [exact](Vector<1> const& x, double t) {
+  problem.scalars[Field::density] = [density](Point const&, double) { return density; };
+  problem.scalars[Field::temperature] = [exact](Point const& x, double t) {
     return exact.temperature(x[0], t);
   };
-  problem.conductivity = [conductivity](Vector<1> const&, double T) { return conductivity(T); };
+  problem.conductivity = [conductivity](Point const&, double T) { return conductivity(T); };
   problem.conductivity_depends_on_temperature = depends_on_temperature;
-  problem.vectors[Field::flux] = [exact, conductivity](Vector<1> const& x, double t) {
+  problem.vectors[Field::flux] = [exact, conductivity](Point const& x, double t) {
     double const slope = exact.gradient(x[0], t);
-    return Vector<1>(slope == 0.0 ? 0.0 : -conductivity(exact.temperature(x[0], t)) * slope);
+    return along_first_axis<Dim>(slope == 0.0 ? 0.0 : -conductivity(exact.temperature(x[0], t)) * slope);
   };
   problem.accuracy = exact.accuracy();
   return problem;
 }
 
 /// Makes a wall prescribe the exact temperature, and the conductivity that belongs to it.
-inline void prescribe_temperature(Problem<1>& problem, Wall<1>& wall) {
+template <int Dim>
+void prescribe_temperature(Problem<Dim>& problem, Wall<Dim>& wall) {
   auto const temperature = problem.scalars.at(Field::temperature);
   auto const conductivity = problem.conductivity;
   wall.temperature = temperature;
-  wall.conductivity = [temperature, conductivity](Vector<1> const& x, double t) {
+  wall.conductivity = [temperature, conductivity](Vector<Dim> const& x, double t) {
     return conductivity(x, temperature(x, t));
   };
 }
 
-/// Makes a wall prescribe a constant flux vector.
-inline void prescribe_flux(Wall<1>& wall, double flux) {
-  wall.flux = [flux](Vector<1> const&, double) { return Vector<1>(flux); };
+/// Makes a wall prescribe a constant flux along the first axis.
+template <int Dim>
+void prescribe_flux(Wall<Dim>& wall, double flux) {
+  wall.flux = [flux](Vector<Dim> const&, double) { return along_first_axis<Dim>(flux); };
 }
 
 /// [[number, amplitude], ...] as modes.

@@ -9,50 +9,59 @@
 
 namespace sphverify {
 
-/// What all 1D gas cases with an exact solution `GasState state(x, t)` share: domain, two walls that
-/// prescribe nothing yet, the fields, P = (gamma - 1) rho e. In a vacuum the internal energy is 0.
-template <class State>
-Problem<1> gas_problem(State const& state, Domain<1> const& domain, double gamma) {
-  Problem<1> problem;
+/// What all gas cases share whose exact solution `GasState state(x, t)` depends on the first coordinate only
+/// and flows along it: domain, walls on all its sides that are not periodic, which prescribe nothing yet, the
+/// fields, P = (gamma - 1) rho e. In a vacuum the internal energy is 0.
+template <int Dim, class State>
+Problem<Dim> gas_problem(State const& state, Domain<Dim> const& domain, double gamma) {
+  using Point = Vector<Dim>;
+  Problem<Dim> problem;
   problem.domain = domain;
-  problem.walls = slab_walls(domain);
+  problem.walls = box_walls(domain);
   problem.gamma = gamma;
-  auto const scalar = [state](auto const& part) -> ScalarFunction<1> {
-    return [state, part](Vector<1> const& x, double t) { return part(state(x[0], t)); };
+  auto const scalar = [state](auto const& part) -> ScalarFunction<Dim> {
+    return [state, part](Point const& x, double t) { return part(state(x[0], t)); };
   };
   problem.scalars[Field::density] = scalar([](exact::GasState const& s) { return s.density; });
   problem.scalars[Field::pressure] = scalar([](exact::GasState const& s) { return s.pressure; });
   problem.scalars[Field::internal_energy] = scalar([gamma](exact::GasState const& s) {
     return s.density > 0.0 ? s.pressure / ((gamma - 1.0) * s.density) : 0.0;
   });
-  problem.vectors[Field::velocity] = [state](Vector<1> const& x, double t) {
-    return Vector<1>(state(x[0], t).velocity);
+  problem.vectors[Field::velocity] = [state](Point const& x, double t) {
+    return along_first_axis<Dim>(state(x[0], t).velocity);
   };
   return problem;
 }
 
-/// Makes a wall a piston on the path x(t) with the velocity u(t).
-template <class Path, class Speed>
-void prescribe_motion(Wall<1>& wall, Path const& path, Speed const& speed) {
-  wall.path = [path](double t) { return Vector<1>(path(t)); };
-  wall.velocity = [speed](Vector<1> const&, double t) { return Vector<1>(speed(t)); };
+/// Makes a wall a piston whose point is on the path x(t) with the velocity u(t) along the first axis.
+template <int Dim, class Path, class Speed>
+void prescribe_motion(Wall<Dim>& wall, Path const& path, Speed const& speed) {
+  wall.path = [path, start = wall.point](double t) {
+    Vector<Dim> point = start;
+    point[0] = path(t);
+    return point;
+  };
+  wall.velocity = [speed](Vector<Dim> const&, double t) { return along_first_axis<Dim>(speed(t)); };
 }
 
-/// Makes a wall a piston of constant velocity from where it stands.
-inline void prescribe_velocity(Wall<1>& wall, double velocity) {
+/// Makes a wall a piston of constant velocity along the first axis from where it stands.
+template <int Dim>
+void prescribe_velocity(Wall<Dim>& wall, double velocity) {
   double const start = wall.point[0];
   prescribe_motion(
       wall, [=](double t) { return start + velocity * t; }, [=](double) { return velocity; });
 }
 
 /// Makes a wall prescribe a constant pressure: it goes with the gas.
-inline void prescribe_pressure(Wall<1>& wall, double pressure) {
-  wall.pressure = [pressure](Vector<1> const&, double) { return pressure; };
+template <int Dim>
+void prescribe_pressure(Wall<Dim>& wall, double pressure) {
+  wall.pressure = [pressure](Vector<Dim> const&, double) { return pressure; };
 }
 
-/// Joins the ends of the domain, and takes its walls away.
-inline void make_periodic(Problem<1>& problem) {
-  problem.domain.periodic[0] = true;
+/// Joins all opposite sides of the domain, and takes its walls away.
+template <int Dim>
+void make_periodic(Problem<Dim>& problem) {
+  problem.domain.periodic.fill(true);
   problem.walls.clear();
 }
 

@@ -14,11 +14,13 @@ struct PistonCase {
         .title = title,
         .source = "Rankine-Hugoniot (Landau & Lifshitz, Fluid Mechanics, section 89)",
         .equation = "a shock of speed D from x = 0, behind it the piston's velocity and the given pressure",
-        .domain = "0 <= x <= 1, from the piston's start to a rigid wall",
+        .domain =
+            "0 <= x <= 1, from the piston's start to a rigid wall; other axes periodic with period 0.25",
         .walls = walls,
         .initial = "gas at rest",
         .kind = CaseKind::hydro,
-        .parameters = {{"initial_pressure", "Pa", "ahead of the shock", 0.5},
+        .parameters = {{"dimension", "", "1, 2 or 3", 1.0, true},
+                       {"initial_pressure", "Pa", "ahead of the shock", 0.5},
                        {"pressure", "Pa", "behind the shock", 1.0},
                        {"density", "kg/m^3", "ahead of the shock", 1.0},
                        {"gamma", "", "ratio of specific heats", 5.0 / 3.0},
@@ -27,12 +29,14 @@ struct PistonCase {
   }
 
   /// The problem, whose left wall prescribes nothing yet.
-  static Problem<1> problem(Parameters const& p, exact::PistonShock const& shock) {
+  template <int Dim>
+  static Problem<Dim> problem(Parameters const& p, exact::PistonShock const& shock) {
     double const gamma = p.number("gamma");
     double const initial_pressure = p.number("initial_pressure");
     double const pressure = p.number("pressure");
-    Problem<1> problem =
-        gas_problem([shock](double x, double t) { return shock.at(x, t); }, slab<1>(0.0, 1.0), gamma);
+    // Nothing happens sideways: a quarter of the length there keeps the particles few.
+    Problem<Dim> problem =
+        gas_problem([shock](double x, double t) { return shock.at(x, t); }, slab<Dim>(0.0, 1.0, 0.25), gamma);
     prescribe_velocity(problem.walls[1], 0.0);
     problem.shocks = [=](double t) -> std::vector<ShockFront> {
       double const place = shock.shock_speed() * t;
@@ -60,9 +64,11 @@ struct PistonOfVelocity {
   }
   static AnyProblem problem(Parameters const& p) {
     exact::PistonShock const shock = PistonCase::exact_of(p);
-    Problem<1> problem = PistonCase::problem(p, shock);
-    prescribe_velocity(problem.walls[0], shock.piston_velocity());
-    return problem;
+    return in_dimension(p.integer("dimension"), [&]<int Dim>() -> AnyProblem {
+      Problem<Dim> problem = PistonCase::problem<Dim>(p, shock);
+      prescribe_velocity(problem.walls[0], shock.piston_velocity());
+      return problem;
+    });
   }
 };
 
@@ -74,9 +80,11 @@ struct PistonOfPressure {
   }
   static AnyProblem problem(Parameters const& p) {
     exact::PistonShock const shock = PistonCase::exact_of(p);
-    Problem<1> problem = PistonCase::problem(p, shock);
-    prescribe_pressure(problem.walls[0], p.number("pressure"));
-    return problem;
+    return in_dimension(p.integer("dimension"), [&]<int Dim>() -> AnyProblem {
+      Problem<Dim> problem = PistonCase::problem<Dim>(p, shock);
+      prescribe_pressure(problem.walls[0], p.number("pressure"));
+      return problem;
+    });
   }
 };
 

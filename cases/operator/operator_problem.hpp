@@ -11,9 +11,10 @@ namespace sphverify {
 template <int Dim, class Profile>
 Problem<Dim> operator_problem(Profile const& profile) {
   using Point = Vector<Dim>;
-  auto const along_x = [](double value) -> Point { return value * Point::Unit(0); };
   ScalarFunction<Dim> const f = [profile](Point const& x, double) { return profile.value(x[0]); };
-  VectorFunction<Dim> const f_along_x = [f, along_x](Point const& x, double t) { return along_x(f(x, t)); };
+  VectorFunction<Dim> const f_along_x = [f](Point const& x, double t) {
+    return along_first_axis<Dim>(f(x, t));
+  };
 
   Problem<Dim> problem;
   problem.domain = slab<Dim>(0.0, 1.0);
@@ -26,13 +27,13 @@ Problem<Dim> operator_problem(Profile const& profile) {
   problem.scalars[Field::density] = [](Point const&, double) { return 1.0; };
   problem.scalars[Field::pressure] = problem.scalars[Field::temperature] = f;
   problem.vectors[Field::velocity] = f_along_x;
-  problem.vectors[Field::flux] = [profile, along_x](Point const& x, double) {
-    return along_x(-profile.first_derivative(x[0]));
+  problem.vectors[Field::flux] = [profile](Point const& x, double) {
+    return along_first_axis<Dim>(-profile.first_derivative(x[0]));
   };
   problem.conductivity = [](Point const&, double) { return 1.0; };
 
-  problem.acceleration = [profile, along_x](Point const& x, double) {
-    return along_x(-profile.first_derivative(x[0]));
+  problem.acceleration = [profile](Point const& x, double) {
+    return along_first_axis<Dim>(-profile.first_derivative(x[0]));
   };
   problem.heating[Rate::internal_work] = [profile](Point const& x, double) {
     return -profile.value(x[0]) * profile.first_derivative(x[0]);

@@ -15,7 +15,7 @@ struct OperatorPolynomial {
             .equation =
                 "f = x^degree + 1: P = T = f, v = f e_x, rho = K = 1; "
                 "dv/dt = -f', work = -f f' (internal) or -(f f)' (total), heating = f''",
-            .domain = "0 <= x <= 1, other axes periodic",
+            .domain = "0 <= x <= 1, other axes periodic with period 1",
             .walls = "x = 0 and x = 1 prescribe pressure, velocity and temperature",
             .initial = "f, no time",
             .kind = CaseKind::rates,

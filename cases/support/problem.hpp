@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -66,6 +67,18 @@ struct Problem {
 
   /// Absolute accuracy that the exact solution promises for its main field.
   double accuracy = 0.0;
+
+  /// Energy released at a point at the start [J]: it goes to the particles around the point, as much of it as
+  /// the kernel about the point says.
+  struct PointEnergy {
+    Vector<Dim> place;
+    double energy;
+  };
+  std::optional<PointEnergy> point_energy{};
+
+  /// Whether the exact solution holds at a place and time, where it does not everywhere: beyond, a free
+  /// surface that it does not know of has been felt. Errors are taken where it holds. Empty: everywhere.
+  std::function<bool(Vector<Dim> const& x, double time)> holds{};
 };
 
 using AnyProblem = std::variant<Problem<1>, Problem<2>, Problem<3>>;

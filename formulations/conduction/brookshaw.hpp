@@ -27,10 +27,14 @@ struct Brookshaw {
       .kernel = {KernelWeight::radial},
       .boundary = {BoundaryValue::temperature, BoundaryValue::conductivity},
       .boundary_if_prescribed = {BoundaryValue::flux},
-      .conserves = {Invariant::energy}};
+      .conserves = {Invariant::energy},
+      .difference_form = true};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
-    return j.m() * (i.K() + j.K()) / (i.rho() * j.rho()) * (i.T() - j.T()) * W.radial();
+    return conductance(i, j, W) * (i.T() - j.T());
+  }
+  static auto conductance(auto const& i, auto const& j, auto const& W) {
+    return j.m() * (i.K() + j.K()) / (i.rho() * j.rho()) * W.radial();
   }
   static auto wall(auto const& i, auto const& B) {
     if (B.prescribes_flux_only()) return -2.0 * B.F().dot(B.S()) / i.rho();

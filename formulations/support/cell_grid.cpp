@@ -9,7 +9,7 @@ namespace sphverify {
 
 template <int Dim>
 CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& domain, double reach)
-    : positions_(&positions), domain_(domain), reach_(reach) {
+    : positions_(&positions), domain_(domain), turned_(domain.is_turned()), reach_(reach) {
   std::size_t const n = positions.size();
   if (n >= std::numeric_limits<std::uint32_t>::max()) {
     throw std::invalid_argument("too many particles for 32-bit neighbour indices: found " +
@@ -30,8 +30,12 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
                                     ", expected at least " + std::to_string(2.0 * reach));
       }
     } else if (n > 0) {
-      lowest = *std::min_element(x.begin(), x.end());
-      highest = *std::max_element(x.begin(), x.end());
+      auto const along = [&](std::size_t i) { return turned_ ? domain.to_box(positions[i])[k] : x[i]; };
+      lowest = highest = along(0);
+      for (std::size_t i = 1; i < n; ++i) {
+        lowest = std::min(lowest, along(i));
+        highest = std::max(highest, along(i));
+      }
     }
     origin_[k] = lowest;
     double const extent = std::max(highest - lowest, reach);

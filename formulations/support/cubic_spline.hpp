@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
+
+#include "formulations/support/select.hpp"
 
 namespace sphverify {
 
@@ -21,22 +24,27 @@ struct CubicSpline {
                                   : Dim == 2 ? 10.0 / (7.0 * std::numbers::pi)
                                              : std::numbers::inv_pi;
 
-  static double value(double r, double h) {
-    double const q = r / h;
-    if (q >= 2.0) return 0.0;
-    double const p = 2.0 - q;
-    double const shape = q < 1.0 ? 1.0 - q * q * (1.5 - 0.75 * q) : 0.25 * p * p * p;
-    return sigma / power(h, Dim) * shape;
-  }
+  static double value(double r, double h) { return normalisation(h) * shape(r / h); }
 
   /// (dW/dr)/r, finite at r = 0; grad_i W_ij = radial(r_ij, h) (r_i - r_j).  [m^-(Dim+2)]
-  static double radial(double r, double h) {
-    double const q = r / h;
-    if (q >= 2.0) return 0.0;
-    double const p = 2.0 - q;
-    double const shape = q < 1.0 ? -3.0 + 2.25 * q : -0.75 * p * p / q;
-    return sigma / power(h, Dim + 2) * shape;
+  static double radial(double r, double h) { return slope_normalisation(h) * slope_shape(r / h); }
+
+  /// What the two above are made of, for one number or for several at once: W = normalisation(h) shape(q) and
+  /// W'/r = slope_normalisation(h) slope_shape(q).
+  static auto shape(auto q) {
+    using std::max;
+    auto const p = max(2.0 - q, decltype(q)(0.0));
+    return select(q < 1.0, 1.0 - q * q * (1.5 - 0.75 * q), 0.25 * p * p * p);
   }
+  static auto slope_shape(auto q) { return slope_shape(q, 1.0 / q); }
+  /// @param per_q 1/q, where it is known
+  static auto slope_shape(auto q, auto per_q) {
+    using std::max;
+    auto const p = max(2.0 - q, decltype(q)(0.0));
+    return select(q < 1.0, -3.0 + 2.25 * q, -0.75 * p * p * per_q);
+  }
+  static auto normalisation(auto h) { return sigma / power(h, Dim); }
+  static auto slope_normalisation(auto h) { return sigma / power(h, Dim + 2); }
 
   /// Integral of W over a plane at distance d from its centre, the `exact` face weight.  [1/m]
   /// Closed form derived in docs/theory/face-weights.md.
@@ -47,7 +55,11 @@ struct CubicSpline {
   static double inner_fraction(double d, double h);
 
  private:
-  static constexpr double power(double x, int n) { return n == 0 ? 1.0 : x * power(x, n - 1); }
+  static constexpr auto power(auto x, int n) {
+    auto result = x;
+    for (int k = 1; k < n; ++k) result = x * result;
+    return result;
+  }
 };
 
 }  // namespace sphverify

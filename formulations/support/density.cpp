@@ -1,6 +1,8 @@
 #include "formulations/support/density.hpp"
 
 #include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/finite_face.hpp"
+#include "formulations/support/sweep/pair_sweep.hpp"
 
 namespace sphverify {
 
@@ -20,15 +22,25 @@ std::vector<double> summation_density(CellGrid<Dim> const& grid, SmoothingLength
 }
 
 template <int Dim>
+void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Domain<Dim> const& domain,
+                 int threads) {
+  auto& density = particles.scalar(Field::density);
+  PairSweep<Dim> sweep(neighbours, domain, threads);
+  sweep.add(sweep_kernels<Dim>().density, {Field::mass}, {}, density);
+  sweep.run(particles);
+  double const own = CubicSpline<Dim>::value(0.0, particles.smoothing_length());
+  for (std::size_t i = 0; i < density.size(); ++i) density[i] += particles.masses()[i] * own;
+}
+
+template <int Dim>
 double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double h) {
-  double inside = 1.0;
-  for (Wall<Dim> const& wall : walls) inside -= 1.0 - CubicSpline<Dim>::inner_fraction(wall.distance(x), h);
-  return inside;
+  return inner_fraction(x, walls, h);
 }
 
 #define SPHVERIFY_INSTANTIATE(Dim)                                                             \
   template std::vector<double> summation_density(CellGrid<Dim> const&, SmoothingLength const&, \
                                                  std::vector<double> const&);                  \
+  template void sum_density(Particles<Dim>&, NeighbourList const&, Domain<Dim> const&, int);   \
   template double kernel_inside(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

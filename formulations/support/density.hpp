@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "formulations/support/cell_grid.hpp"
+#include "formulations/support/neighbours.hpp"
 #include "formulations/support/smoothing_length.hpp"
 #include "formulations/support/walls.hpp"
 
@@ -17,12 +17,18 @@ enum class DensityRule {
 };
 
 /// sum_j m_j W_ij, the particle itself included (Campbell 1989, Eq. 4).  [kg/m^Dim]
+/// Where every particle may have its own smoothing length; gathers with that of the particle itself.
 template <int Dim>
 std::vector<double> summation_density(CellGrid<Dim> const& grid, SmoothingLength const& h,
                                       std::vector<double> const& mass);
 
-/// Gamma at a point: 1 - sum over walls of the part of the kernel beyond each. Exact while no two walls'
-/// outer sides overlap within the support (parallel walls; not corners).
+/// The same into the field density, over a neighbour list; all have the common smoothing length.
+template <int Dim>
+void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Domain<Dim> const& domain,
+                 int threads);
+
+/// Gamma at a point: the part of the kernel on the inner sides of all walls, in corners too
+/// (formulations/support/finite_face.hpp).
 template <int Dim>
 double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double smoothing_length);
 

@@ -4,22 +4,77 @@
 #include <random>
 
 #include "formulations/support/expects.hpp"
+#include "formulations/support/layout_common.hpp"
 
 namespace sphverify {
 
+namespace {
+
+template <int Dim>
+using Shape = std::array<std::size_t, Dim>;
+
+/// Cells of the lattice along each axis.
+template <int Dim>
+Shape<Dim> lattice_shape(Domain<Dim> const& domain, int resolution) {
+  expects(resolution > 0);
+  Vector<Dim> const extent = domain.extent();
+  Shape<Dim> count;
+  count[0] = static_cast<std::size_t>(resolution);
+  for (int k = 1; k < Dim; ++k) count[k] = layers(extent[k], extent[0] / resolution);
+  return count;
+}
+
+/// Particles in a row, and rows: always an even number of them.
+Shape<2> hexagonal_shape(Domain<2> const& domain, int resolution) {
+  expects(resolution > 0);
+  // A particle of the triangular lattice of spacing a has the volume a^2 sqrt(3)/2, and the rows are as far
+  // apart as that leaves.
+  Vector<2> const extent = domain.extent();
+  double const dx = extent[0] / resolution;
+  double const a = std::sqrt(2.0 / std::sqrt(3.0)) * dx;
+  return {layers(extent[0], a), 2 * layers(extent[1], 2.0 * dx * dx / a)};
+}
+
+/// Cubic cells of the face-centred lattice along each axis.
+Shape<3> close_packed_shape(Domain<3> const& domain, int resolution) {
+  expects(resolution > 0);
+  constexpr double cube_root_of_4 = 1.5874010519681994748;  // four particles share a cell
+  Vector<3> const extent = domain.extent();
+  double const edge = cube_root_of_4 * extent[0] / resolution;
+  return {layers(extent[0], edge), layers(extent[1], edge), layers(extent[2], edge)};
+}
+
+/// Numbers of any size, so that one can say no before there is no memory.
+template <std::size_t Dim>
+double product(std::array<std::size_t, Dim> const& shape) {
+  double total = 1.0;
+  for (std::size_t const count : shape) total *= static_cast<double>(count);
+  return total;
+}
+
+}  // namespace
+
+template <int Dim>
+double lattice_count(Domain<Dim> const& domain, int resolution) {
+  return product(lattice_shape(domain, resolution));
+}
+double hexagonal_count(Domain<2> const& domain, int resolution) {
+  return product(hexagonal_shape(domain, resolution));
+}
+double close_packed_count(Domain<3> const& domain, int resolution) {
+  return 4.0 * product(close_packed_shape(domain, resolution));
+}
+
 template <int Dim>
 Layout<Dim> lattice(Domain<Dim> const& domain, int resolution) {
-  expects(resolution > 0);
+  Shape<Dim> const count = lattice_shape(domain, resolution);
   Vector<Dim> const extent = domain.extent();
   Layout<Dim> layout;
   layout.spacing = extent[0] / resolution;
-  std::array<std::size_t, Dim> count;
   Vector<Dim>& cell = layout.cell;
   std::size_t total = 1;
   double volume = 1.0;
   for (int k = 0; k < Dim; ++k) {
-    count[k] = k == 0 ? static_cast<std::size_t>(resolution)
-                      : static_cast<std::size_t>(std::max(1L, std::lround(extent[k] / layout.spacing)));
     cell[k] = extent[k] / static_cast<double>(count[k]);
     total *= count[k];
     volume *= cell[k];
@@ -33,18 +88,12 @@ Layout<Dim> lattice(Domain<Dim> const& domain, int resolution) {
       x[k] = domain.lower[k] + (static_cast<double>(rest % count[k]) + 0.5) * cell[k];
       rest /= count[k];
     }
-    layout.positions.set(i, x);
+    layout.positions.set(i, domain.to_space(x));
   }
   return layout;
 }
 
 namespace {
-
-/// Uniform in [-1, 1) from the top 53 bits: std::uniform_real_distribution may differ between standard
-/// libraries.
-double signed_unit_deviate(std::mt19937_64& generator) {
-  return static_cast<double>(generator() >> 11) * 0x1.0p-52 - 1.0;
-}
 
 /// Half the distance between a particle's two neighbours, the domain's ends taking the place of a missing
 /// one.
@@ -75,9 +124,46 @@ Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude
     Vector<Dim> displacement;
     for (int k = 0; k < Dim; ++k)
       displacement[k] = amplitude * layout.cell[k] * signed_unit_deviate(generator);
-    layout.positions.add(i, displacement);
+    layout.positions.add(i, domain.to_space(displacement));
   }
   if constexpr (Dim == 1) set_voronoi_volumes(layout, domain);
+  return layout;
+}
+
+Layout<2> hexagonal(Domain<2> const& domain, int resolution) {
+  auto const [row, rows] = hexagonal_shape(domain, resolution);
+  Layout<2> layout;
+  layout.cell = {domain.extent()[0] / static_cast<double>(row),
+                 domain.extent()[1] / static_cast<double>(rows)};
+  layout.positions = VectorField<2>(row * rows);
+  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
+    std::size_t const r = i % rows;
+    Vector<2> const at(static_cast<double>(i / rows) + (r % 2 == 0 ? 0.25 : 0.75),
+                       static_cast<double>(r) + 0.5);
+    layout.positions.set(i, domain.to_space(domain.lower + layout.cell.cwiseProduct(at)));
+  }
+  share_volume_equally(layout, domain);
+  return layout;
+}
+
+Layout<3> close_packed(Domain<3> const& domain, int resolution) {
+  // Corner and centres of three faces of a cubic cell, a quarter of the cell inwards.
+  static constexpr double offset[4][3] = {
+      {0.25, 0.25, 0.25}, {0.25, 0.75, 0.75}, {0.75, 0.25, 0.75}, {0.75, 0.75, 0.25}};
+  Shape<3> const count = close_packed_shape(domain, resolution);
+  Layout<3> layout;
+  for (int k = 0; k < 3; ++k) layout.cell[k] = domain.extent()[k] / static_cast<double>(count[k]);
+  layout.positions = VectorField<3>(4 * count[0] * count[1] * count[2]);
+  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
+    std::size_t rest = i / 4;
+    Vector<3> x;
+    for (int k = 2; k >= 0; --k) {
+      x[k] = domain.lower[k] + (static_cast<double>(rest % count[k]) + offset[i % 4][k]) * layout.cell[k];
+      rest /= count[k];
+    }
+    layout.positions.set(i, domain.to_space(x));
+  }
+  share_volume_equally(layout, domain);
   return layout;
 }
 
@@ -111,6 +197,9 @@ Layout<1> equal_mass(Domain<1> const& domain, int resolution,
   return layout;
 }
 
+template double lattice_count(Domain<1> const&, int);
+template double lattice_count(Domain<2> const&, int);
+template double lattice_count(Domain<3> const&, int);
 template Layout<1> lattice(Domain<1> const&, int);
 template Layout<2> lattice(Domain<2> const&, int);
 template Layout<3> lattice(Domain<3> const&, int);

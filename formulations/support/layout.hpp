@@ -14,10 +14,14 @@ namespace sphverify {
 template <int Dim>
 struct Layout {
   VectorField<Dim> positions;
-  std::vector<double> volumes;  ///< [m^Dim]; of lattices they add up to the domain's
-  double spacing = 0.0;         ///< dx along the first axis [m]
-  Vector<Dim> cell;  ///< size of the lattice's cells [m]; dx along the first axis, near it along others
+  std::vector<double> volumes;  ///< [m^Dim]; they add up to the domain's, but for particles of equal mass
+  double spacing = 0.0;         ///< dx [m], the length that smoothing lengths are multiples of
+  Vector<Dim> cell;             ///< size of the cells they were placed in, along the domain's axes [m]
 };
+
+// Every layout has a `resolution` N, and particles of about the volume of a cube with the edge extent[0]/N.
+// For `lattice`, `jittered` and `equal_mass` the spacing is extent[0]/N; for the others it is the edge of the
+// cube that has one particle's volume, so that one ratio h/dx means the same number of neighbours everywhere.
 
 /// Particles in a lattice at the centres of equal cells, `resolution` along the first axis; along the others
 /// as many as make the cells most nearly cubic.
@@ -33,5 +37,31 @@ Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<doub
 /// 0.5.
 template <int Dim>
 Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude, std::uint64_t seed);
+
+/// Rows of a triangular lattice along the first axis, every second one shifted by half a spacing, stretched
+/// to fit the box. The first and last particles of the rows, and the rows along the walls, are as far from
+/// the sides at both ends, and every row is matched by one of the other kind: half a turn of the box changes
+/// nothing. `cell` is the spacing in a row and the distance between rows.
+Layout<2> hexagonal(Domain<2> const& domain, int resolution);
+
+/// A face-centred cubic lattice, four particles in each cell a quarter of it from its sides, stretched to fit
+/// the box. Half a turn of the box about any of its axes changes nothing. `cell` is the cubic one.
+Layout<3> close_packed(Domain<3> const& domain, int resolution);
+
+/// Particles without order but evenly spread, as many as the lattice has: from random places, about one in
+/// each cell, they repel each other, and their images beyond the sides, until the forces on each nearly
+/// cancel. Beyond a periodic side the images are the other end of the box, beyond others its mirror image,
+/// so that the density is as even at a wall as elsewhere. Relaxation by repulsion as in Diehl et al. 2015
+/// (PASA 32, e048), with forces of one strength. One seed gives the same particles on every machine, of code
+/// compiled without contraction of a * b + c.
+/// Not for one dimension, where only the lattice is at rest.
+template <int Dim>
+Layout<Dim> glass(Domain<Dim> const& domain, int resolution, std::uint64_t seed);
+
+/// How many particles `lattice` (and `jittered`, `glass`), `hexagonal` and `close_packed` would place.
+template <int Dim>
+double lattice_count(Domain<Dim> const& domain, int resolution);
+double hexagonal_count(Domain<2> const& domain, int resolution);
+double close_packed_count(Domain<3> const& domain, int resolution);
 
 }  // namespace sphverify

@@ -9,8 +9,8 @@
 
 namespace sphverify {
 
-/// Directed neighbour pairs in compressed rows: row i lists, in ascending order, every j != i that is closer
-/// to i than the grid's reach.
+/// Directed neighbour pairs in compressed rows: row i lists every j != i that is closer to i than some reach,
+/// cell by cell as the grid that found them has them.
 struct NeighbourList {
   std::vector<std::size_t> first;        ///< rows + 1 offsets into `neighbour`
   std::vector<std::uint32_t> neighbour;  ///< one entry per directed pair
@@ -26,13 +26,16 @@ struct NeighbourList {
 };
 
 /// Every pair closer than the grid's reach.
-/// Throws std::invalid_argument when two particles are at the same place.
+/// @param old a list that is no longer needed: its memory is used again, which saves more than it seems,
+/// since memory that is new costs as much as what is written to it Throws std::invalid_argument when two
+/// particles are at the same place.
 template <int Dim>
-NeighbourList find_neighbours(CellGrid<Dim> const& grid);
+NeighbourList find_neighbours(CellGrid<Dim> const& grid, int threads = 1, NeighbourList old = {});
 
-/// The pairs within the support of their own smoothing length. Expects the grid's reach to hold the largest.
-/// Throws std::invalid_argument when two particles are at the same place.
+/// The pairs closer than the support of their own smoothing length, times 1 + skin. Expects the grid's reach
+/// to hold the largest. Throws std::invalid_argument when two particles are at the same place.
 template <int Dim>
-NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& h);
+NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& h, double skin = 0.0,
+                              int threads = 1, NeighbourList old = {});
 
 }  // namespace sphverify

@@ -4,7 +4,6 @@
 
 #include "formulations/support/field.hpp"
 #include "formulations/support/flag_set.hpp"
-#include "formulations/support/pair_weights.hpp"
 #include "formulations/support/walls.hpp"
 
 namespace sphverify {
@@ -17,6 +16,13 @@ enum class Rate {
   conduction_heating,  ///< de/dt of heat conduction  [W/kg]
   density              ///< drho/dt  [kg/(m^Dim s)]; no formulation of its own, see ContinuityDensity
 };
+
+/// What a scheme reads of the kernel at a pair.
+enum class KernelWeight {
+  gradient,  ///< grad_i W_ij, a vector  [m^-(Dim+1)]
+  radial     ///< (r_ij . grad_i W_ij) / r_ij^2 = W'(r)/r  [m^-(Dim+2)]
+};
+using KernelWeightSet = FlagSet<KernelWeight>;
 
 enum class Invariant { momentum, energy };
 using InvariantSet = FlagSet<Invariant>;
@@ -38,6 +44,7 @@ struct SchemeInfo {
   InvariantSet conserves = {};         ///< to round-off between particles
   FieldSet non_negative = {};          ///< fields of which a negative value leaves the scheme undefined
   bool two_pass = false;               ///< has a first pass, which computes the flux
+  bool difference_form = false;        ///< its pair is a conductance, without T, times (T_i - T_j)
   std::string_view work_partner = {};  ///< of a momentum form: its default energy equation
 };
 

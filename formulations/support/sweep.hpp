@@ -4,53 +4,38 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
-#include <span>
-
 #include "formulations/support/views.hpp"
 
 namespace sphverify {
 
-/// Calls row(i) for i in [0, count). With several threads every row is still computed by one of them, start
-/// to end, so that results do not depend on their number.
-template <class Row>
-void for_each_row(std::size_t count, int threads, Row const& row) {
+/// Calls block(begin, end) for parts of [0, count) that together are all of it. With several threads each
+/// part is still the work of one, so that results do not depend on their number.
+template <class Block>
+void for_each_block(std::size_t count, int threads, Block const& block) {
+  constexpr std::size_t rows_per_block = 1024;
   if (threads <= 1) {
-    for (std::size_t i = 0; i < count; ++i) row(i);
+    if (count > 0) block(std::size_t{0}, count);
     return;
   }
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 1024), [&](auto const& rows) {
-      for (std::size_t i = rows.begin(); i != rows.end(); ++i) row(i);
-    });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rows_per_block),
+                      [&](auto const& rows) { block(rows.begin(), rows.end()); });
   });
 }
 
-inline void store(std::vector<double>& out, std::size_t i, double value) { out[i] = value; }
-template <int Dim>
-void store(VectorField<Dim>& out, std::size_t i, Vector<Dim> const& value) {
-  out.set(i, value);
+/// Calls row(i) for i in [0, count).
+template <class Row>
+void for_each_row(std::size_t count, int threads, Row const& row) {
+  for_each_block(count, threads, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) row(i);
+  });
 }
+
 inline void increase(std::vector<double>& out, std::size_t i, double value) { out[i] += value; }
 template <int Dim>
 void increase(VectorField<Dim>& out, std::size_t i, Vector<Dim> const& value) {
   out.add(i, value);
-}
-
-/// out_i = sum over neighbours j of term(i, j, kernel): the one pair loop behind every scheme.
-template <class Value, int Dim, class Out, class Term>
-void sweep_pairs(NeighbourList const& neighbours, PairWeights<Dim> const& weights,
-                 Particles<Dim> const& particles, int threads, Out& out, Term const& term) {
-  FieldPointers<Dim> const fields(particles);
-  for_each_row(neighbours.rows(), threads, [&](std::size_t i) {
-    ParticleView<Dim> const particle(fields, i);
-    Value sum{};
-    if constexpr (!std::is_same_v<Value, double>) sum.setZero();
-    for (std::size_t k = neighbours.first[i]; k < neighbours.first[i + 1]; ++k) {
-      sum += term(particle, ParticleView<Dim>(fields, neighbours.neighbour[k]), KernelView<Dim>(weights, k));
-    }
-    store(out, i, sum);
-  });
 }
 
 /// out_i += term(i, wall) for every contact; returns the terms, one per contact.

@@ -2,7 +2,6 @@
 
 #include <array>
 
-#include "formulations/support/pair_weights.hpp"
 #include "formulations/support/particles.hpp"
 #include "formulations/support/walls.hpp"
 
@@ -51,20 +50,6 @@ class ParticleView {
 
   FieldPointers<Dim> const* f_;
   std::size_t i_;
-};
-
-/// The kernel between particles i and j as a scheme sees it.
-template <int Dim>
-class KernelView {
- public:
-  KernelView(PairWeights<Dim> const& weights, std::size_t pair) : w_(&weights), k_(pair) {}
-
-  Vector<Dim> gradient() const { return w_->gradient[k_]; }  ///< grad_i W_ij
-  double radial() const { return w_->radial[k_]; }           ///< (r_ij . grad_i W_ij)/r_ij^2
-
- private:
-  PairWeights<Dim> const* w_;
-  std::size_t k_;
 };
 
 /// A wall at the foot point of particle i as a scheme sees it.

@@ -7,6 +7,7 @@
 
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/expects.hpp"
+#include "formulations/support/finite_face.hpp"
 #include "formulations/support/wall_riemann.hpp"
 
 namespace sphverify {
@@ -51,13 +52,14 @@ double face_weight(double d, double h, FaceWeight rule) {
 }
 
 template <int Dim>
-double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double h,
-                    std::vector<double> const& mass) {
+double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls,
+                    double h, std::vector<double> const& mass) {
+  double const factor = wall_interpolation_factor(foot, walls, h);
   double sum = 0.0;
   grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-    sum += mass[j] * CubicSpline<Dim>::value(distance, h);
+    sum += mass[j] * (factor * CubicSpline<Dim>::value(distance, h));
   });
-  return 2.0 * sum;
+  return sum;
 }
 
 namespace {
@@ -91,6 +93,11 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
                                      std::vector<double> const& density, FaceWeight rule) {
   VectorField<Dim> const& positions = grid.positions();
   WallContacts<Dim> contacts;
+  auto const self = std::find_if(all_walls.begin(), all_walls.end(),
+                                 [&](Wall<Dim> const& other) { return &other == &wall; });
+  expects(self != all_walls.end());
+  auto const index = static_cast<std::size_t>(self - all_walls.begin());
+  std::vector<Vector<Dim>> feet;
   contacts.outward_normal = wall.outward_normal;
   contacts.prescribes_flux_only =
       wall.prescribes(BoundaryValue::flux) && !wall.prescribes(BoundaryValue::temperature);
@@ -105,30 +112,36 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
     double const h = smoothing_length(i);
     double const reach = CubicSpline<Dim>::support_ratio * h;
     if (d >= reach) continue;
-    if (foot_density(grid, wall.foot(positions[i]), h, mass) <= 0.0)
+    auto const foot = nearest_on_face(positions[i], all_walls, index, h);
+    if (!foot) continue;
+    bool const is_plane_s_own = *foot == wall.foot(positions[i]);  // else it may be out of reach
+    if (!is_plane_s_own && (*foot - positions[i]).norm() >= reach) continue;
+    if (foot_density(grid, *foot, all_walls, h, mass) <= 0.0)
       continue;  // alone, and at reach but for round-off
+    feet.push_back(*foot);
     contacts.particle.push_back(static_cast<std::uint32_t>(i));
     contacts.distance.push_back(d);
     bool const balance =
         rule == FaceWeight::balanced && walls_within_reach(all_walls, positions[i], reach) == 1;
     contacts.face_weight.push_back(
         balance ? balanced_face_weight(grid, i, wall.outward_normal, smoothing_length, mass, density)
-                : face_weight<Dim>(d, h, rule == FaceWeight::balanced ? FaceWeight::exact : rule));
+                : face_weight(positions[i], all_walls, index, h,
+                              rule == FaceWeight::balanced ? FaceWeight::exact : rule));
   }
 
   contacts.foot = VectorField<Dim>(contacts.size());
   contacts.interpolation_first.push_back(0);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    Vector<Dim> const foot = wall.foot(positions[contacts.particle[c]]);
     double const h = smoothing_length(contacts.particle[c]);
-    contacts.foot.set(c, foot);
+    double const factor = wall_interpolation_factor(feet[c], all_walls, h);
+    contacts.foot.set(c, feet[c]);
     double sum = 0.0;
-    grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-      double const twice_kernel = 2.0 * CubicSpline<Dim>::value(distance, h);
-      if (twice_kernel == 0.0) return;
+    grid.for_each_within_reach(feet[c], [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+      double const kernel = factor * CubicSpline<Dim>::value(distance, h);
+      if (kernel == 0.0) return;
       contacts.interpolation_neighbour.push_back(j);
-      contacts.interpolation_kernel.push_back(twice_kernel);
-      sum += mass[j] * twice_kernel;
+      contacts.interpolation_kernel.push_back(kernel);
+      sum += mass[j] * kernel;
     });
     contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
     contacts.foot_density.push_back(sum);
@@ -138,7 +151,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
 
 namespace {
 
-/// sum_j (m_j/rho_j) f_j 2W(r_j - r_B) of a contact.
+/// sum_j (m_j/rho_j) f_j W(r_j - r_B)/Gamma(r_B) of a contact.
 template <int Dim, class Value, class Values>
 Value kernel_sum(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
                  Value zero, Values const& f) {
@@ -314,16 +327,16 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
   }
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                   \
-  template struct Wall<Dim>;                                                                         \
-  template struct WallContacts<Dim>;                                                                 \
-  template double face_weight<Dim>(double, double, FaceWeight);                                      \
-  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, double,                     \
-                               std::vector<double> const&);                                          \
-  template WallContacts<Dim> find_wall_contacts(                                                     \
-      CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&, \
-      std::vector<double> const&, std::vector<double> const&, FaceWeight);                           \
-  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,    \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                      \
+  template struct Wall<Dim>;                                                                            \
+  template struct WallContacts<Dim>;                                                                    \
+  template double face_weight<Dim>(double, double, FaceWeight);                                         \
+  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, std::vector<Wall<Dim>> const&, \
+                               double, std::vector<double> const&);                                     \
+  template WallContacts<Dim> find_wall_contacts(                                                        \
+      CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&,    \
+      std::vector<double> const&, std::vector<double> const&, FaceWeight);                              \
+  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,       \
                                      BoundaryValueSet, Closure, double);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

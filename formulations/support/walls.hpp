@@ -19,13 +19,14 @@ using BoundaryValueSet = FlagSet<BoundaryValue>;
 /// How the surface integral A of the kernel over a wall is computed (equations.md, "face weight").
 enum class FaceWeight {
   campbell,  ///< Eqs. 69-71: foot-point value of W times the whole intercepted area; exact in 1D only
-  exact,     ///< closed form of the integral
+  exact,     ///< the integral itself
   balanced   ///< -n . sum_j (m_j/rho_j) grad_i W_ij within reach of exactly one wall, elsewhere `exact`
 };
 
 /// What to use at a wall for a partner that the scene does not prescribe.
 enum class Closure {
-  interpolated,  ///< f_B = 2 sum_j (m_j/rho_j) f_j W(r_j - r_B)  (Campbell 1989, Eqs. 15, 39, 74)
+  interpolated,  ///< f_B = 2 sum_j (m_j/rho_j) f_j W(r_j - r_B)  (Campbell 1989, Eqs. 15, 39, 74); where
+                 ///< another wall is within reach of the foot point, 1/Gamma(r_B) for 2, which is ours
   quotient,      ///< f_B = sum_j (m_j/rho_j) f_j W(r_j - r_B) / sum_j (m_j/rho_j) W(r_j - r_B): right for a
                  ///< constant, whatever the volumes; ours
   one_sided  ///< the law that rules between gas and wall: Fourier's between particle and foot point for flux
@@ -46,7 +47,8 @@ template <int Dim>
 using VectorAtWall = std::function<Vector<Dim>(Vector<Dim> const& foot, double time)>;
 
 /// A plane wall and what it prescribes; empty functions are not prescribed. A wall that prescribes
-/// temperature prescribes conductivity too.
+/// temperature prescribes conductivity too. The fluid lies on the inner sides of all walls of a scene: where
+/// walls meet, each has a face that ends (formulations/support/finite_face.hpp).
 template <int Dim>
 struct Wall {
   Vector<Dim> point;           ///< any point of the plane [m]
@@ -69,17 +71,22 @@ struct Wall {
   bool prescribes(BoundaryValue value) const;
 };
 
-/// The particles within the kernel's support of one wall, with what depends on geometry alone, and the
-/// boundary values at their foot points. All arrays but `interpolation_*` have one entry per contact.
+/// The particles within the kernel's support of one wall's face, with what depends on geometry alone, and
+/// the boundary values at their foot points. All arrays but `interpolation_*` have one entry per contact.
+///
+/// The foot point is the point of the face nearest to the particle. At an obtuse corner of angle beta it may
+/// lie on the edge, up to d |cot beta| along the plane from the plane's own foot point. The distance stays
+/// that to the plane: differences such as (T_B - T_i)/d_i stand for the derivative along the normal, and are
+/// that for all which varies along the normal alone, wherever on the face T_B is taken.
 template <int Dim>
 struct WallContacts {
   Vector<Dim> outward_normal;
   bool prescribes_flux_only = false;  ///< flux but no temperature
 
   std::vector<std::uint32_t> particle;  ///< ascending
-  std::vector<double> distance;         ///< d_i [m]
+  std::vector<double> distance;         ///< d_i, to the plane [m]
   std::vector<double> face_weight;      ///< A_i [1/m]
-  std::vector<double> foot_density;     ///< rho_B(i) = 2 sum_j m_j W(r_j - r_B)  (Eqs. 13, 73, 83)
+  std::vector<double> foot_density;     ///< rho_B(i), see foot_density()
   VectorField<Dim> foot;                ///< r_B [m]
 
   std::vector<double> pressure, temperature, conductivity;  ///< empty unless a scheme asked for them
@@ -87,7 +94,7 @@ struct WallContacts {
 
   std::vector<std::size_t> interpolation_first;        ///< contacts + 1 offsets into the two below
   std::vector<std::uint32_t> interpolation_neighbour;  ///< particles within support of the foot point
-  std::vector<double> interpolation_kernel;            ///< 2 W(r_j - r_B)
+  std::vector<double> interpolation_kernel;            ///< W(r_j - r_B)/Gamma(r_B), away from corners 2 W
 
   std::size_t size() const { return particle.size(); }
   std::size_t bytes() const;
@@ -95,8 +102,10 @@ struct WallContacts {
 
 /// Contacts of every particle of the grid with a wall. Expects the grid's reach to hold the largest support;
 /// a particle's foot point is judged by that particle's smoothing length.
+/// A wall whose face the support does not reach, cut short by others as it may be, is no contact.
+/// @param wall one of all_walls itself, not a copy
+/// @param all_walls the scene's walls, which bound each other's faces
 /// @param density needed by FaceWeight::balanced only, else may be empty
-/// @param all_walls the scene's walls, for FaceWeight::balanced
 /// Throws std::invalid_argument when a particle lies on or outside the wall.
 template <int Dim>
 WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
@@ -104,13 +113,14 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
                                      std::vector<double> const& mass, std::vector<double> const& density,
                                      FaceWeight rule);
 
-/// Density at a wall's foot point: 2 sum_j m_j W(r_j - r_B)  (Eqs. 13, 73, 83).
+/// Density at a wall's foot point: 2 sum_j m_j W(r_j - r_B)  (Eqs. 13, 73, 83). Where a second wall is within
+/// reach of the foot point, 1/Gamma(r_B) takes the place of 2, which it stands for.
 template <int Dim>
-double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, double smoothing_length,
-                    std::vector<double> const& mass);
+double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls,
+                    double smoothing_length, std::vector<double> const& mass);
 
-/// Face weight of one particle at distance d >= 0 by a rule that needs the distance only (campbell, exact).
-/// [1/m]
+/// Face weight of one particle at distance d >= 0 from a plane that nothing cuts within the support, by a
+/// rule that needs the distance only (campbell, exact).  [1/m]
 template <int Dim>
 double face_weight(double d, double smoothing_length, FaceWeight rule);
 

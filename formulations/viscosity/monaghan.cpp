@@ -10,39 +10,6 @@ namespace sphverify {
 
 namespace {
 
-template <int Dim>
-void sweep_viscous_pairs(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
-                         PairGeometry<Dim> const& geometry, Domain<Dim> const& domain, int threads,
-                         ViscousRates<Dim>& rates) {
-  SmoothingLength const h(particles);
-  auto const& x = particles.positions();
-  auto const& v = particles.vector(Field::velocity);
-  auto const& m = particles.masses();
-  auto const& rho = particles.scalar(Field::density);
-  auto const& c = particles.scalar(Field::sound_speed);
-  NeighbourList const& neighbours = geometry.neighbours;
-  for_each_row(particles.size(), threads, [&](std::size_t i) {
-    Vector<Dim> acceleration = Vector<Dim>::Zero();
-    double heating = 0.0;
-    double largest = 0.0;
-    for (std::size_t k = neighbours.first[i]; k < neighbours.first[i + 1]; ++k) {
-      std::uint32_t const j = neighbours.neighbour[k];
-      Vector<Dim> const r_ij = domain.nearest_image(x[i] - x[j]);
-      Vector<Dim> const v_ij = v[i] - v[j];
-      double const mu = MonaghanViscosity::mu(v_ij.dot(r_ij), r_ij.squaredNorm(), h(i, j));
-      if (mu == 0.0) continue;
-      double const Pi = viscosity.pressure(mu, 0.5 * (c[i] + c[j]), 0.5 * (rho[i] + rho[j]));
-      Vector<Dim> const gradient = geometry.weights.gradient[k];
-      acceleration -= m[j] * Pi * gradient;
-      heating += 0.5 * m[j] * Pi * v_ij.dot(gradient);
-      largest = std::max(largest, -mu);
-    }
-    rates.acceleration.set(i, acceleration);
-    rates.heating[i] = heating;
-    rates.largest_mu[i] = largest;
-  });
-}
-
 /// @param share of the wall's and the gas's halves that are left
 template <int Dim>
 void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> const& contacts, double share,
@@ -74,13 +41,23 @@ void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> cons
 }  // namespace
 
 template <int Dim>
-void evaluate_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
-                        PairGeometry<Dim> const& geometry, Domain<Dim> const& domain, Closure closure,
-                        int threads, ViscousRates<Dim>& rates) {
+void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles, PairSweep<Dim>& sweep,
+                   ViscousRates<Dim>& rates) {
   std::size_t const n = particles.size();
   if (rates.heating.size() != n)
     rates = {VectorField<Dim>(n), std::vector<double>(n), std::vector<double>(n), {}, {}};
-  sweep_viscous_pairs(viscosity, particles, geometry, domain, threads, rates);
+  std::vector<double*> out;
+  for (int k = 0; k < Dim; ++k) out.push_back(rates.acceleration.component(k).data());
+  out.push_back(rates.heating.data());
+  out.push_back(rates.largest_mu.data());
+  sweep.add(sweep_kernels<Dim>().viscosity,
+            {Field::mass, Field::density, Field::velocity, Field::sound_speed}, {KernelWeight::gradient}, out,
+            &viscosity);
+}
+
+template <int Dim>
+void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
+                       PairGeometry<Dim> const& geometry, Closure closure, ViscousRates<Dim>& rates) {
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
@@ -91,10 +68,11 @@ void evaluate_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const
   }
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                             \
-  template void evaluate_viscosity(MonaghanViscosity const&, Particles<Dim> const&,            \
-                                   PairGeometry<Dim> const&, Domain<Dim> const&, Closure, int, \
-                                   ViscousRates<Dim>&);
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                           \
+  template void add_viscosity(MonaghanViscosity const&, Particles<Dim> const&, PairSweep<Dim>&,              \
+                              ViscousRates<Dim>&);                                                           \
+  template void add_viscous_walls(MonaghanViscosity const&, Particles<Dim> const&, PairGeometry<Dim> const&, \
+                                  Closure, ViscousRates<Dim>&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <cmath>
+#include <algorithm>
 #include <vector>
 
 #include "formulations/support/pair_geometry.hpp"
+#include "formulations/support/sweep/pair_sweep.hpp"
 
 namespace sphverify {
 
@@ -21,10 +22,11 @@ struct MonaghanViscosity {
   bool is_on() const { return alpha != 0.0 || beta != 0.0; }
 
   /// @param approach v_ij.r_ij, negative where the two approach  [m^2/s]
-  static double mu(double approach, double squared_distance, double h) {
-    return approach < 0.0 ? h * approach / (squared_distance + 0.01 * h * h) : 0.0;
+  static auto mu(auto approach, auto squared_distance, auto h) {
+    using std::min;
+    return h * min(approach, decltype(approach)(0.0)) / (squared_distance + 0.01 * h * h);
   }
-  double pressure(double mu, double c, double rho) const { return (-alpha * c + beta * mu) * mu / rho; }
+  auto pressure(auto mu, auto c, auto rho) const { return (-alpha * c + beta * mu) * mu / rho; }
 };
 
 /// What viscosity adds to a gas, and what walls took part in.
@@ -51,9 +53,15 @@ struct ViscousRates {
 /// Pi_iB stands for the gas's viscous pressure q_i/rho_i^2 and the wall's, one half each. Where the wall's
 /// P_B is the whole stress there, because it is prescribed or because Closure::one_sided has solved for it,
 /// only the gas's half is left. Reads density, velocity, sound speed, and the contacts' velocity.
+///
+/// First the pairs, as a term of a sweep, which writes to `rates`.
 template <int Dim>
-void evaluate_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
-                        PairGeometry<Dim> const& geometry, Domain<Dim> const& domain, Closure closure,
-                        int threads, ViscousRates<Dim>& rates);
+void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles, PairSweep<Dim>& sweep,
+                   ViscousRates<Dim>& rates);
+
+/// Then the walls, on top of what the sweep left in `rates`.
+template <int Dim>
+void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
+                       PairGeometry<Dim> const& geometry, Closure closure, ViscousRates<Dim>& rates);
 
 }  // namespace sphverify

@@ -108,6 +108,26 @@ void add_words(std::vector<CatalogueEntry>& all) {
               "different density use it with smoothing: adaptive"},
              {"parameters", Json::array()}};
        }});
+  all.push_back({"layouts", "hexagonal", "Triangular lattice, in two dimensions", "", [] {
+                   return Json{
+                       {"equation",
+                        "rows along the first axis, every second one shifted by half a spacing, stretched "
+                        "to fit the box; dx is the square root of a particle's area"},
+                       {"parameters", Json::array()}};
+                 }});
+  all.push_back({"layouts", "close-packed", "Face-centred cubic lattice, in three dimensions", "", [] {
+                   return Json{
+                       {"equation",
+                        "four particles to a cubic cell, stretched to fit the box; dx is the cube root of a "
+                        "particle's volume"},
+                       {"parameters", Json::array()}};
+                 }});
+  all.push_back(
+      {"layouts", "glass", "Particles relaxed by mutual repulsion, in two and three dimensions", "", [] {
+         return Json{
+             {"equation", "from a random start until the particles hold each other in place; equal volumes"},
+             {"parameters", Json::array({"seed, or a list of seeds: replicates of each level"})}};
+       }});
   for (MeasureWord const& word : measure_words()) {
     all.push_back({"measures", std::string(word.word), std::string(word.title), "", [] {
                      return Json{{"parameters", Json::array()}};

@@ -6,6 +6,7 @@
 
 #include "formulations/rate_operator.hpp"
 #include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/finite_face.hpp"
 #include "harness/evaluate/state.hpp"
 
 namespace sphverify {
@@ -65,9 +66,8 @@ Json evaluate_in_dimension(Node const& document) {
   Json walls = Json::array();
   try {
     CellGrid<Dim> const grid(particles.positions(), state.domain, support);
+    geometry.domain = state.domain;
     geometry.neighbours = find_neighbours(grid);
-    geometry.weights = evaluate_kernel(geometry.neighbours, particles.positions(), state.domain, h,
-                                       {KernelWeight::gradient, KernelWeight::radial});
     auto& density = particles.scalar(Field::density);
     if (state.density_rule != DensityRule::given) density = summation_density(grid, h, particles.masses());
     if (state.density_rule == DensityRule::normalised) {
@@ -82,7 +82,8 @@ Json evaluate_in_dimension(Node const& document) {
       WallContacts<Dim> const& contacts = geometry.contacts.back();
       std::vector<double> at_foot(particles.size()), weight(particles.size(), 0.0);
       for (std::size_t i = 0; i < particles.size(); ++i) {
-        at_foot[i] = foot_density(grid, wall.foot(particles.positions()[i]), h, particles.masses());
+        auto const foot = nearest_on_face(particles.positions()[i], state.walls, walls.size(), h);
+        at_foot[i] = foot ? foot_density(grid, *foot, state.walls, h, particles.masses()) : 0.0;
       }
       for (std::size_t c = 0; c < contacts.size(); ++c)
         weight[contacts.particle[c]] = contacts.face_weight[c];

@@ -1,5 +1,6 @@
 #include <cvodes/cvodes.h>
 #include <sunlinsol/sunlinsol_klu.h>
+#include <sunlinsol/sunlinsol_spgmr.h>
 #include <sunmatrix/sunmatrix_sparse.h>
 
 #include <algorithm>
@@ -39,6 +40,35 @@ int jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix matrix, void* user, N_V
   });
 }
 
+/// What solves the linear equations of a step.
+struct LinearSolver {
+  MatrixHandle matrix;
+  SolverHandle solver;
+};
+
+/// By a sparse factorisation where the system gives its Jacobian; else by GMRES, which asks for no more than
+/// rates.
+LinearSolver attach_linear_solver(void* cvode, OdeSystem const& system, N_Vector state, SUNContext context) {
+  LinearSolver linear;
+  if (system.jacobian) {
+    auto const n = static_cast<sunindextype>(system.size);
+    auto const nonzeros = static_cast<sunindextype>(system.jacobian->pattern().column.size());
+    linear.matrix.reset(SUNSparseMatrix(n, n, nonzeros, CSR_MAT, context));
+    if (!linear.matrix) throw std::bad_alloc();
+    linear.solver.reset(SUNLinSol_KLU(state, linear.matrix.get(), context));
+  } else {
+    constexpr int directions = 30;  // before GMRES starts anew
+    constexpr int restarts = 10;
+    linear.solver.reset(SUNLinSol_SPGMR(state, SUN_PREC_NONE, directions, context));
+    if (linear.solver) SUNLinSol_SPGMRSetMaxRestarts(linear.solver.get(), restarts);
+  }
+  if (!linear.solver) throw std::bad_alloc();
+  require_sundials(CVodeSetLinearSolver(cvode, linear.solver.get(), linear.matrix.get()),
+                   "CVodeSetLinearSolver");
+  if (system.jacobian) require_sundials(CVodeSetJacFn(cvode, jacobian), "CVodeSetJacFn");
+  return linear;
+}
+
 }  // namespace
 
 OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double final_time,
@@ -63,13 +93,7 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
   // The invariants that the conservation measure checks hold as well as the Newton iteration converges.
   require_sundials(CVodeSetNonlinConvCoef(cvode, 0.01), "CVodeSetNonlinConvCoef");
 
-  auto const n = static_cast<sunindextype>(system.size);
-  auto const nonzeros = static_cast<sunindextype>(system.jacobian->pattern().column.size());
-  MatrixHandle const matrix(SUNSparseMatrix(n, n, nonzeros, CSR_MAT, context));
-  SolverHandle const linear(SUNLinSol_KLU(state.get(), matrix.get(), context));
-  if (!matrix || !linear) throw std::bad_alloc();
-  require_sundials(CVodeSetLinearSolver(cvode, linear.get(), matrix.get()), "CVodeSetLinearSolver");
-  require_sundials(CVodeSetJacFn(cvode, jacobian), "CVodeSetJacFn");
+  LinearSolver const linear = attach_linear_solver(cvode, system, state.get(), context);
   if (system.quadratures > 0)
     require_sundials(CVodeQuadInit(cvode, quadrature, integrals.get()), "CVodeQuadInit");
 

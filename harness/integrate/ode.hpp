@@ -29,7 +29,7 @@ struct OdeSystem {
 
   /// Sizes of typical unknowns and then quadratures, which multiply the absolute tolerance; empty: all 1.
   std::vector<double> scales;
-  ColouredJacobian* jacobian = nullptr;  ///< for the implicit method
+  ColouredJacobian* jacobian = nullptr;  ///< for the implicit method; null: it does without
 
   /// Called after every step with the quadratures so far; a non-empty answer ends the run, with that reason.
   std::function<std::string(double t, double const* y, double const* q)> monitor;
@@ -57,7 +57,7 @@ struct OdeResult {
 };
 
 /// Implicit backward differentiation formulas of variable order and step (SUNDIALS CVODES) with a sparse
-/// direct solver (KLU). Linear invariants of the rate are kept to the solver's tolerance.
+/// direct solver (KLU) or, without a Jacobian, GMRES. Linear invariants of the rate are kept to the solver's tolerance.
 OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double final_time,
                         Tolerances tolerances);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "formulations/support/cubic_spline.hpp"
@@ -32,20 +33,43 @@ NormSet norms(std::span<double const> values, std::span<double const> weights) {
   return norm;
 }
 
+namespace {
+
+/// Whether a point is within a distance of two walls that are not parallel.
 template <int Dim>
-std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls) {
+bool is_in_corner(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double reach) {
+  constexpr double least_sine = 1e-6;
+  for (auto one = walls.begin(); one != walls.end(); ++one) {
+    if (one->distance(x) >= reach) continue;
+    for (auto other = std::next(one); other != walls.end(); ++other) {
+      Vector<Dim> const n = one->outward_normal;
+      Vector<Dim> const across = other->outward_normal - n.dot(other->outward_normal) * n;
+      if (other->distance(x) < reach && across.norm() > least_sine) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int Dim>
+std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls,
+                            std::function<bool(std::size_t)> const& counts) {
   SmoothingLength const h(particles);
-  Region all{"all", {}}, wall{"wall", {}}, interior{"interior", {}};
+  Region all{"all", {}}, wall{"wall", {}}, corner{"corner", {}}, interior{"interior", {}};
   for (std::size_t i = 0; i < particles.size(); ++i) {
+    if (counts && !counts(i)) continue;
     double nearest = std::numeric_limits<double>::infinity();
     for (Wall<Dim> const& one : walls) nearest = std::min(nearest, one.distance(particles.positions()[i]));
     double const support = CubicSpline<Dim>::support_ratio * h(i);
     all.particles.push_back(i);
     if (nearest < support) wall.particles.push_back(i);
+    if (nearest < support && is_in_corner(particles.positions()[i], walls, support))
+      corner.particles.push_back(i);
     if (nearest > 2.0 * support) interior.particles.push_back(i);
   }
   std::vector<Region> found;
-  for (Region& region : {std::ref(all), std::ref(wall), std::ref(interior)}) {
+  for (Region& region : {std::ref(all), std::ref(wall), std::ref(corner), std::ref(interior)}) {
     if (!region.particles.empty()) found.push_back(std::move(region));
   }
   return found;
@@ -74,8 +98,11 @@ FieldErrors field_errors(std::vector<std::span<double const>> const& computed,
   return errors;
 }
 
-template std::vector<Region> regions(Particles<1> const&, std::vector<Wall<1>> const&);
-template std::vector<Region> regions(Particles<2> const&, std::vector<Wall<2>> const&);
-template std::vector<Region> regions(Particles<3> const&, std::vector<Wall<3>> const&);
+template std::vector<Region> regions(Particles<1> const&, std::vector<Wall<1>> const&,
+                                     std::function<bool(std::size_t)> const&);
+template std::vector<Region> regions(Particles<2> const&, std::vector<Wall<2>> const&,
+                                     std::function<bool(std::size_t)> const&);
+template std::vector<Region> regions(Particles<3> const&, std::vector<Wall<3>> const&,
+                                     std::function<bool(std::size_t)> const&);
 
 }  // namespace sphverify

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,10 +21,12 @@ struct Region {
   std::vector<std::size_t> particles;
 };
 
-/// `all`; `wall`: within the support 2h of a wall; `interior`: beyond 4h from every wall. Regions without
-/// particles are left out.
+/// `all`; `wall`: within the support 2h of a wall; `corner`: of those, within 2h of two that are not
+/// parallel; `interior`: beyond 4h from every wall. Regions without particles are left out.
+/// @param counts which particles count at all; empty: all of them
 template <int Dim>
-std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls);
+std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls,
+                            std::function<bool(std::size_t)> const& counts = {});
 
 /// Norms of |computed - exact| and of |exact| by region. `components` lists of one value per particle each; a
 /// vector's error is the length of the difference.

@@ -7,7 +7,9 @@ namespace sphverify {
 template <int Dim>
 FrozenConduction<Dim>::FrozenConduction(Problem<Dim> problem, SceneChoice const& choice,
                                         double temperature_scale)
-    : scene_(std::move(problem), choice), temperature_scale_(temperature_scale) {}
+    : scene_(std::move(problem), choice), temperature_scale_(temperature_scale) {
+  if (!scene_.problem().conductivity_depends_on_temperature) scene_.freeze();
+}
 
 template <int Dim>
 void FrozenConduction<Dim>::evaluate(double time, double const* temperature) {
@@ -62,7 +64,8 @@ OdeResult FrozenConduction<Dim>::integrate(std::string const& method, double fin
   for (std::size_t i = 0; i < system.size; ++i) initial[i] = exact(scene_.particles().positions()[i], 0.0);
   if (method == "runge-kutta")
     return integrate_runge_kutta(system, std::move(initial), final_time, tolerances);
-  system.jacobian = &jacobian();
+  // Beyond one dimension a factorisation fills in, and costs more than it saves.
+  if constexpr (Dim == 1) system.jacobian = &jacobian();
   return integrate_bdf(system, std::move(initial), final_time, tolerances);
 }
 

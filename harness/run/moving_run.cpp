@@ -160,7 +160,9 @@ class MovingRun {
     Particles<Dim> const& particles = state.gas->scene().particles();
     double const t = problem_.final_time;
     auto const volumes = exact_volumes(problem_, particles, t);
-    auto const places = regions(particles, state.gas->scene().walls());
+    auto const places = regions(particles, state.gas->scene().walls(), [&](std::size_t i) {
+      return !problem_.holds || problem_.holds(particles.positions()[i], t);
+    });
     double const round_off =
         64.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps));
     std::map<std::string, FieldErrors> all;
@@ -259,7 +261,7 @@ class MovingRun {
     for (std::size_t i = 0; i < scene.particles().size(); ++i) {
       volume += scene.particles().masses()[i] / scene.particles().scalar(Field::density)[i];
     }
-    motion.volume_defect = scene.volume_defect() / volume;
+    if (auto const defect = scene.volume_defect()) motion.volume_defect = *defect / volume;
     if (record_.discretisation.face_weight == "balanced") {
       record_.smallest_face_weight = smallest_face_weight(scene.geometry());
     }

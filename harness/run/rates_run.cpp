@@ -8,6 +8,7 @@
 #include "harness/measure/norms.hpp"
 #include "harness/run/clock.hpp"
 #include "harness/run/exact_fields.hpp"
+#include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
 
@@ -62,6 +63,8 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
   Rate const rate = scene.scheme().rate;
   scene.evaluate(0.0);
   record.scene = scene.record();
+  if (choice.discretisation.face_weight == "balanced")
+    record.smallest_face_weight = smallest_face_weight(scene.geometry());
   if (std::size_t const i = first_not_finite(particles, output_field(rate)); i < particles.size()) {
     record.status = "non-finite";
     record.reason = fmt::format("{} of particle {} is not finite", info(output_field(rate)).name, i);

@@ -5,6 +5,8 @@
 #include "harness/run/conduction_run.hpp"
 #include "harness/run/moving_run.hpp"
 #include "harness/run/rates_run.hpp"
+#include "harness/scene/place.hpp"
+#include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
 
@@ -21,10 +23,11 @@ void execute_in_dimension(Problem<Dim> const& problem, RunSpec const& spec, RunO
                            .resolution = spec.resolution,
                            .smoothing_ratio = spec.smoothing_ratio,
                            .threads = options.threads};
-  Layout<Dim> const layout = lattice(problem.domain, spec.resolution);
-  record.particles = layout.volumes.size();
-  record.spacing = layout.spacing;
-  record.smoothing_length = spec.smoothing_ratio * layout.spacing;
+  require_closed(problem);
+  record.particles = static_cast<std::size_t>(
+      particle_count(problem.domain, choice.discretisation.layout, choice.resolution));
+  record.spacing = spacing_of(problem.domain, choice.discretisation.layout, choice.resolution);
+  record.smoothing_length = spec.smoothing_ratio * record.spacing;
   switch (spec.scene_case->info.kind) {
     case CaseKind::rates:
       return run_rates(problem, choice, options, record);

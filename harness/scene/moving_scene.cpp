@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/expects.hpp"
 #include "formulations/support/sweep.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
@@ -20,7 +21,6 @@ namespace {
 /// Part of the time in which sound, or what else limits a step, crosses a smoothing length (Monaghan, Annu.
 /// Rev. Astron. Astrophys. 30 (1992) 543, section 10).
 constexpr double courant_number = 0.3;
-constexpr int most_iterations = 100;
 
 template <int Dim>
 std::unique_ptr<RateOperator<Dim>> operator_if_named(std::string const& id) {
@@ -35,14 +35,6 @@ void copy_into(VectorField<Dim>& field, double const* state) {
   }
 }
 
-template <int Dim>
-bool same_places(VectorField<Dim> const& a, VectorField<Dim> const& b) {
-  for (int k = 0; k < Dim; ++k) {
-    if (a.component(k) != b.component(k)) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 template <int Dim>
@@ -53,15 +45,18 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
       conduction_operator_(operator_if_named<Dim>(choice.conduction)),
       viscosity_{choice.discretisation.viscosity.alpha, choice.discretisation.viscosity.beta},
       density_rule_(density_words.value(choice.discretisation.density)),
-      face_weight_(face_weight_words.value(choice.discretisation.face_weight)),
       closure_(closure_words.value(choice.discretisation.closure)),
       wall_motion_(wall_motion_words.value(choice.discretisation.wall_motion)),
       adaptive_(choice.discretisation.smoothing == "adaptive"),
       with_walls_(choice.walls && !problem_.walls.empty()),
-      smoothing_ratio_(choice.smoothing_ratio),
       threads_(choice.threads),
       particles_(0, 1.0),
-      walls_(problem_.walls) {
+      walls_(problem_.walls),
+      geometry_(problem_.domain, {.density = density_rule_,
+                                  .face_weight = face_weight_words.value(choice.discretisation.face_weight),
+                                  .adaptive = adaptive_,
+                                  .smoothing_ratio = choice.smoothing_ratio,
+                                  .threads = choice.threads}) {
   if (has_continuity()) continuity_operator_ = make_continuity_operator<Dim>();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall<Dim>& wall = walls_[w];
@@ -81,7 +76,7 @@ void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
   ++passes_["layout"];
   spacing_ = layout.spacing;
   std::size_t const n = layout.volumes.size();
-  particles_ = Particles<Dim>(n, smoothing_ratio_ * spacing_);
+  particles_ = Particles<Dim>(n, choice.smoothing_ratio * spacing_);
   for (std::size_t i = 0; i < n; ++i) {
     particles_.masses()[i] =
         problem_.scalars.at(Field::density)(layout.positions[i], 0.0) * layout.volumes[i];
@@ -95,7 +90,7 @@ void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
   if (has_continuity()) particles_.allocate(Field::density_rate);
   if (adaptive_) particles_.vary_smoothing_length();
   energy_rate_.assign(n, 0.0);
-  acceleration_ = drift_ = found_at_ = VectorField<Dim>(n);
+  acceleration_ = drift_ = VectorField<Dim>(n);
   if constexpr (Dim == 1) {
     auto const& x = particles_.positions().component(0);
     order_.resize(n);
@@ -108,6 +103,25 @@ template <int Dim>
 std::size_t MovingScene<Dim>::unknowns() const {
   std::size_t const n = particles_.size();
   return 2 * Dim * n + n + (has_continuity() ? n : 0) + free_walls_.size();
+}
+
+/// Per mass, of the energy that the problem releases at a point: as the kernel about the point says, so that
+/// all of it is there and it shrinks to the point as h does.
+template <int Dim>
+std::vector<double> MovingScene<Dim>::released_energy() const {
+  std::size_t const n = particles_.size();
+  std::vector<double> energy(n, 0.0);
+  if (!problem_.point_energy) return energy;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    Vector<Dim> const r =
+        problem_.domain.nearest_image(particles_.positions()[i] - problem_.point_energy->place);
+    energy[i] = CubicSpline<Dim>::value(r.norm(), particles_.smoothing_length());
+    sum += particles_.masses()[i] * energy[i];
+  }
+  if (!(sum > 0.0)) throw std::invalid_argument("no particle is near the point at which energy is released");
+  for (double& e : energy) e *= problem_.point_energy->energy / sum;
+  return energy;
 }
 
 template <int Dim>
@@ -123,8 +137,9 @@ std::vector<double> MovingScene<Dim>::initial_state() {
       state.insert(state.end(), field->component(k).begin(), field->component(k).end());
     }
   }
+  std::vector<double> const released = released_energy();
   for (std::size_t i = 0; i < n; ++i) {
-    double const e = problem_.scalars.at(Field::internal_energy)(x[i], 0.0);
+    double const e = problem_.scalars.at(Field::internal_energy)(x[i], 0.0) + released[i];
     state.push_back(evolves_total_energy() ? e + 0.5 * v[i].squaredNorm() : e);
   }
   if (has_continuity()) {
@@ -167,15 +182,15 @@ void MovingScene<Dim>::evaluate(double time, double const* state, double const* 
   copy_into(drift_, drift ? drift : state + coordinates());
   place_walls(time, state + unknowns() - free_walls_.size());
   require_order(time);
-  if (adaptive_ && has_continuity()) set_smoothing_length();
   find_geometry(time);
   set_gas(time);
-  evaluate_motion(time);
+  evaluate_motion(time, drift != nullptr);
   evaluate_rates(time);
 }
 
 template <int Dim>
 void MovingScene<Dim>::load(double const* state) {
+  expects(!problem_.domain.is_turned());  // places are wrapped along the axes of space
   std::size_t const n = particles_.size();
   auto& x = particles_.positions();
   copy_into(x, state);
@@ -257,85 +272,15 @@ void MovingScene<Dim>::require_order(double time) const {
   }
 }
 
-/// h_i = (h/dx) (m_i/rho_i)^(1/Dim), with the densities that are there.
-template <int Dim>
-void MovingScene<Dim>::set_smoothing_length() {
-  auto& h = particles_.smoothing_lengths();
-  auto const& density = particles_.scalar(Field::density);
-  for (std::size_t i = 0; i < h.size(); ++i) {
-    h[i] = smoothing_ratio_ * std::pow(particles_.masses()[i] / density[i], 1.0 / Dim);
-  }
-  ++passes_["smoothing-length"];
-}
-
 template <int Dim>
 void MovingScene<Dim>::find_geometry(double time) {
   try {
-    if (adaptive_ && !has_continuity()) adapt_smoothing_length_to_sum();
-    SmoothingLength const h(particles_);
-    CellGrid<Dim> const grid(particles_.positions(), problem_.domain,
-                             CubicSpline<Dim>::support_ratio * h.largest());
-    // With own lengths these follow the density, and through Gamma the walls.
-    bool const h_may_have_changed = adaptive_ && (has_continuity() || !free_walls_.empty());
-    if (!same_places(found_at_, particles_.positions()) || h_may_have_changed) {
-      geometry_.neighbours = find_neighbours(grid, h);
-      ++passes_["neighbour-search"];
-      KernelWeightSet wanted = momentum_operator_->info().kernel | work_operator_->info().kernel;
-      if (conduction_operator_) wanted = wanted | conduction_operator_->info().kernel;
-      geometry_.weights =
-          evaluate_kernel(geometry_.neighbours, particles_.positions(), problem_.domain, h, wanted);
-      ++passes_["kernel"];
-      found_at_ = particles_.positions();
-    }
-    if (!has_continuity()) set_density(grid);
-    if (!with_walls_) return;
-    geometry_.walls = walls_;
-    geometry_.contacts.clear();
-    for (Wall<Dim> const& wall : walls_) {
-      geometry_.contacts.push_back(find_wall_contacts(grid, wall, walls_, h, particles_.masses(),
-                                                      particles_.scalar(Field::density), face_weight_));
-    }
-    ++passes_["wall-contacts"];
+    geometry_.follow(particles_, with_walls_ ? walls_ : std::vector<Wall<Dim>>{}, walls_);
   } catch (std::invalid_argument const& error) {
     // At the start it is the study that makes no sense; later it is what the run has come to.
     if (time == 0.0) throw;
     throw BrokenRun("unstable", fmt::format("{} at t = {:.6g}", error.what(), time));
   }
-}
-
-template <int Dim>
-void MovingScene<Dim>::set_density(CellGrid<Dim> const& grid) {
-  SmoothingLength const h(particles_);
-  auto& density = particles_.scalar(Field::density);
-  density = summation_density(grid, h, particles_.masses());
-  ++passes_["density-summation"];
-  if (density_rule_ != DensityRule::normalised || problem_.walls.empty()) return;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    density[i] /= kernel_inside(particles_.positions()[i], walls_, h(i));
-  }
-  ++passes_["density-normalisation"];
-}
-
-/// Solves h_i = (h/dx) (m_i/rho_i(h_i))^(1/Dim) for all particles by fixed-point iteration, which converges
-/// at the rate at which the density hardly depends on h; at a jump it may swing, and is damped.
-template <int Dim>
-void MovingScene<Dim>::adapt_smoothing_length_to_sum() {
-  constexpr int undamped = 10;
-  auto& h = particles_.smoothing_lengths();
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    CellGrid<Dim> const grid(particles_.positions(), problem_.domain,
-                             CubicSpline<Dim>::support_ratio * SmoothingLength(particles_).largest());
-    set_density(grid);
-    std::vector<double> const before = h;
-    set_smoothing_length();
-    double change = 0.0;
-    for (std::size_t i = 0; i < h.size(); ++i) {
-      change = std::max(change, std::abs(h[i] / before[i] - 1.0));
-      if (iteration >= undamped) h[i] = 0.5 * (h[i] + before[i]);
-    }
-    if (change < 1e-10) return;
-  }
-  throw std::invalid_argument("the smoothing lengths that the summed density asks for do not settle");
 }
 
 template <int Dim>
@@ -361,29 +306,40 @@ void MovingScene<Dim>::set_gas(double time) {
   ++passes_["conductivity"];
 }
 
-/// Pressure, its work, conduction and the continuity equation, with the velocities of the drift.
+/// Pressure, its work, conduction and the continuity equation, with the velocities of the drift; viscosity's
+/// pairs, with those of the state. All in one sweep, but for conduction.
 template <int Dim>
-void MovingScene<Dim>::evaluate_motion(double time) {
-  auto const run = [&](RateOperator<Dim>& one) {
-    try {
-      one.evaluate(particles_, geometry_, closure_, time, threads_, work_);
-    } catch (UndefinedRate const& error) {
-      throw BrokenRun("positivity-lost", fmt::format("{} at t = {:.6g}", error.what(), time));
-    }
-    if (one.info().two_pass) ++passes_["flux"];
-    ++passes_[one.info().id];
+void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
+  PairGeometry<Dim>& geometry = geometry_.geometry();
+  std::vector<RateOperator<Dim>*> together{momentum_operator_.get(), work_operator_.get()};
+  if (continuity_operator_) together.push_back(continuity_operator_.get());
+  auto const undefined = [&](UndefinedRate const& error) {
+    return BrokenRun("positivity-lost", fmt::format("{} at t = {:.6g}", error.what(), time));
   };
-  auto const& heating = particles_.scalar(Field::heating);
   std::swap(particles_.vector(Field::velocity), drift_);
-  run(*momentum_operator_);
-  acceleration_ = particles_.vector(Field::acceleration);
-  run(*work_operator_);
-  energy_rate_ = heating;
-  if (continuity_operator_) run(*continuity_operator_);
-  if (conduction_operator_) {
-    run(*conduction_operator_);
-    for (std::size_t i = 0; i < particles_.size(); ++i) energy_rate_[i] += heating[i];
-    conduction_wall_power_ = conduction_operator_->wall_power();
+  try {
+    PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads_);
+    for (RateOperator<Dim>* const one : together) {
+      one->begin_pass(0, particles_, geometry, closure_, time, threads_, sweep);
+    }
+    if (viscosity_.is_on()) add_viscosity(viscosity_, particles_, sweep, viscous_);
+    sweep.run(particles_, drifts ? &drift_ : nullptr);
+    for (RateOperator<Dim>* const one : together) {
+      one->end_pass(0, particles_, geometry, work_);
+      ++passes_[one->info().id];
+    }
+    acceleration_ = particles_.vector(Field::acceleration);
+    energy_rate_ = particles_.scalar(Field::heating);
+    if (conduction_operator_) {
+      conduction_operator_->evaluate(particles_, geometry, closure_, time, threads_, work_);
+      if (conduction_operator_->info().two_pass) ++passes_["flux"];
+      ++passes_[conduction_operator_->info().id];
+      auto const& heating = particles_.scalar(Field::heating);
+      for (std::size_t i = 0; i < particles_.size(); ++i) energy_rate_[i] += heating[i];
+      conduction_wall_power_ = conduction_operator_->wall_power();
+    }
+  } catch (UndefinedRate const& error) {
+    throw undefined(error);
   }
   std::swap(particles_.vector(Field::velocity), drift_);
 }
@@ -394,9 +350,9 @@ void MovingScene<Dim>::evaluate_rates(double time) {
   std::size_t const n = particles_.size();
   auto const& v = particles_.vector(Field::velocity);
   if (viscosity_.is_on()) {
-    evaluate_viscosity(viscosity_, particles_, geometry_, problem_.domain, closure_, threads_, viscous_);
+    add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, viscous_);
     ++passes_["viscosity"];
-    work_.pair_interactions += geometry_.neighbours.pairs();
+    work_.pair_interactions += geometry().neighbours.pairs();
     for (std::size_t i = 0; i < n; ++i) {
       acceleration_.add(i, viscous_.acceleration[i]);
       energy_rate_[i] += viscous_.heating[i];
@@ -414,7 +370,7 @@ void MovingScene<Dim>::evaluate_rates(double time) {
   if (problem_.source || problem_.body_force) ++passes_["source"];
 
   for (std::size_t f = 0; f < free_walls_.size(); ++f) {
-    WallContacts<Dim> const& contacts = geometry_.contacts[free_walls_[f]];
+    WallContacts<Dim> const& contacts = geometry().contacts[free_walls_[f]];
     wall_speed_[f] =
         face_mean(contacts, [&](std::size_t c) { return contacts.velocity[c].dot(contacts.outward_normal); });
   }
@@ -454,7 +410,10 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   SmoothingLength const h(particles_);
   auto const& c = particles_.scalar(Field::sound_speed);
   auto const& v = particles_.vector(Field::velocity);
-  auto const& x = particles_.positions();
+  std::vector<double> rates_of_approach(particles_.size());
+  PairSweep<Dim> sweep(geometry().neighbours, geometry().domain, threads_);
+  sweep.add(sweep_kernels<Dim>().approach, {Field::velocity}, {}, rates_of_approach);
+  sweep.run(particles_);
   double courant = infinity, force = infinity, viscosity = infinity, conduction = infinity, approach = 0.0;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     courant = std::min(courant, h(i) / c[i]);
@@ -467,12 +426,9 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
       double const K = particles_.scalar(Field::conductivity)[i];
       conduction = std::min(conduction, 0.5 * h(i) * h(i) * particles_.scalar(Field::density)[i] / K);
     }
-    for (std::uint32_t const j : geometry_.neighbours.row(i)) {
-      Vector<Dim> const r_ij = problem_.domain.nearest_image(x[i] - x[j]);
-      approach = std::max(approach, -(v[i] - v[j]).dot(r_ij) / r_ij.squaredNorm());
-    }
+    approach = std::max(approach, rates_of_approach[i]);
   }
-  for (auto const& contacts : geometry_.contacts) {
+  for (auto const& contacts : geometry().contacts) {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       std::uint32_t const i = contacts.particle[k];
       double const closing = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal);
@@ -492,21 +448,23 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
 
 template <int Dim>
 std::string MovingScene<Dim>::closest_approach() const {
+  SmoothingLength const h(particles_);
   auto const& v = particles_.vector(Field::velocity);
   auto const& x = particles_.positions();
   double fastest = 0.0;
   std::string who;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
-    for (std::uint32_t const j : geometry_.neighbours.row(i)) {
+    for (std::uint32_t const j : geometry().neighbours.row(i)) {
       Vector<Dim> const r_ij = problem_.domain.nearest_image(x[i] - x[j]);
+      if (r_ij.norm() >= CubicSpline<Dim>::support_ratio * h(i, j)) continue;
       double const rate = -(v[i] - v[j]).dot(r_ij) / r_ij.squaredNorm();
       if (rate <= fastest) continue;
       fastest = rate;
       who = fmt::format("particles {} and {}, {:.3g} apart", i, j, r_ij.norm());
     }
   }
-  for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
-    auto const& contacts = geometry_.contacts[w];
+  for (std::size_t w = 0; w < geometry().contacts.size(); ++w) {
+    auto const& contacts = geometry().contacts[w];
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       std::uint32_t const i = contacts.particle[k];
       double const rate = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal) / contacts.distance[k];
@@ -521,8 +479,8 @@ std::string MovingScene<Dim>::closest_approach() const {
 template <int Dim>
 std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
   std::vector<WallExchange<Dim>> all(walls_.size());
-  for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
-    WallContacts<Dim> const& contacts = geometry_.contacts[w];
+  for (std::size_t w = 0; w < geometry().contacts.size(); ++w) {
+    WallContacts<Dim> const& contacts = geometry().contacts[w];
     WallExchange<Dim>& exchange = all[w];
     exchange.force = momentum_operator_->wall_force()[w];
     exchange.power = work_operator_->wall_power()[w];
@@ -627,12 +585,25 @@ double MovingScene<Dim>::energy() const {
 }
 
 template <int Dim>
-double MovingScene<Dim>::volume_defect() const {
-  double volume = problem_.domain.extent().prod();
-  double length = 0.0;  // between the walls
-  for (Wall<Dim> const& wall : walls_)
-    length += (wall.point - problem_.domain.lower).dot(wall.outward_normal);
-  if (walls_.size() == 2) volume *= length / problem_.domain.extent()[0];
+std::optional<double> MovingScene<Dim>::volume_defect() const {
+  double volume = 1.0;
+  for (int k = 0; k < Dim; ++k) {
+    Vector<Dim> const axis = problem_.domain.axes.col(k);
+    double length = 0.0;
+    int sides = 0;
+    for (Wall<Dim> const& wall : walls_) {
+      double const facing = wall.outward_normal.dot(axis);
+      if (std::abs(facing) < 0.5) continue;
+      length += wall.point.dot(axis) * (facing > 0.0 ? 1.0 : -1.0);
+      ++sides;
+    }
+    if (problem_.domain.periodic[static_cast<std::size_t>(k)]) {
+      length = problem_.domain.extent()[k];
+    } else if (sides != 2) {
+      return std::nullopt;
+    }
+    volume *= length;
+  }
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     volume -= particles_.masses()[i] / particles_.scalar(Field::density)[i];
   }
@@ -654,6 +625,7 @@ SceneRecord MovingScene<Dim>::record() const {
   }
   if (adaptive_) record.fields.emplace_back("smoothing_length");
   for (auto const& [pass, times] : passes_) record.passes.emplace(pass, times);
+  for (auto const& [pass, times] : geometry_.passes()) record.passes.emplace(pass, times);
   return record;
 }
 

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "formulations/rate_operator.hpp"
 #include "formulations/viscosity/monaghan.hpp"
 #include "harness/integrate/ode.hpp"
+#include "harness/scene/moving_geometry.hpp"
 #include "harness/scene/scene.hpp"
 
 namespace sphverify {
@@ -83,11 +85,11 @@ class MovingScene {
   Problem<Dim> const& problem() const { return problem_; }
   Particles<Dim> const& particles() const { return particles_; }
   std::vector<Wall<Dim>> const& walls() const { return walls_; }  ///< where they stand now
-  PairGeometry<Dim> const& geometry() const { return geometry_; }
+  PairGeometry<Dim> const& geometry() const { return geometry_.geometry(); }
   double spacing() const { return spacing_; }
 
-  /// Volume between the walls, less the sum of m/rho over it.
-  double volume_defect() const;
+  /// Volume between the walls, less the sum of m/rho over it; empty where a side has neither wall nor image.
+  std::optional<double> volume_defect() const;
 
   /// Evaluations of the whole rate, whatever its parts.
   WorkCount work() const;
@@ -98,15 +100,13 @@ class MovingScene {
   bool has_continuity() const { return density_rule_ == DensityRule::continuity; }
   bool evolves_total_energy() const { return work_operator_->info().rate == Rate::total_work; }
   void place_particles(SceneChoice const& choice);
+  std::vector<double> released_energy() const;
   void load(double const* state);
   void place_walls(double time, double const* displacements);
   void require_order(double time) const;
-  void set_smoothing_length();
   void find_geometry(double time);
-  void set_density(CellGrid<Dim> const& grid);
-  void adapt_smoothing_length_to_sum();
   void set_gas(double time);
-  void evaluate_motion(double time);
+  void evaluate_motion(double time, bool drifts);
   void evaluate_rates(double time);
 
   /// Mean of value(contact) weighted by the face that each contact stands for.
@@ -118,12 +118,10 @@ class MovingScene {
       continuity_operator_;
   MonaghanViscosity viscosity_;
   DensityRule density_rule_;
-  FaceWeight face_weight_;
   Closure closure_;
   WallMotion wall_motion_;
   bool adaptive_;
   bool with_walls_;
-  double smoothing_ratio_;
   double spacing_ = 0.0;
   int threads_;
 
@@ -132,10 +130,9 @@ class MovingScene {
   std::vector<std::size_t> free_walls_;  ///< those that go with the gas
   std::vector<Vector<Dim>> wall_start_;
   std::vector<std::size_t> order_;  ///< particles along the axis, in 1D: they must not cross
-  PairGeometry<Dim> geometry_;
+  MovingGeometry<Dim> geometry_;
 
   VectorField<Dim> drift_;           ///< velocities of the last evaluation's motion
-  VectorField<Dim> found_at_;        ///< places at which the neighbours were found
   VectorField<Dim> acceleration_;    ///< with viscosity and body force
   std::vector<double> energy_rate_;  ///< of what the run evolves
   ViscousRates<Dim> viscous_;

@@ -42,11 +42,9 @@ void Scene<Dim>::find_geometry(SceneChoice const& choice) {
   double const h = particles_.smoothing_length();
   double const support = CubicSpline<Dim>::support_ratio * h;
   CellGrid<Dim> const grid(particles_.positions(), problem_.domain, support);
-  geometry_.neighbours = find_neighbours(grid);
+  geometry_.domain = problem_.domain;
+  geometry_.neighbours = find_neighbours(grid, threads_);
   ++passes_["neighbour-search"];
-  geometry_.weights =
-      evaluate_kernel(geometry_.neighbours, particles_.positions(), problem_.domain, h, scheme().kernel);
-  ++passes_["kernel"];
 
   auto& density = particles_.scalar(Field::density);
   DensityRule const rule = density_words.value(choice.discretisation.density);
@@ -54,7 +52,7 @@ void Scene<Dim>::find_geometry(SceneChoice const& choice) {
     auto const& given = problem_.scalars.at(Field::density);
     for (std::size_t i = 0; i < density.size(); ++i) density[i] = given(particles_.positions()[i], 0.0);
   } else {
-    density = summation_density(grid, h, particles_.masses());
+    sum_density(particles_, geometry_.neighbours, problem_.domain, threads_);
     ++passes_["density-summation"];
   }
   if (rule == DensityRule::normalised && !problem_.walls.empty()) {
@@ -103,6 +101,13 @@ void Scene<Dim>::set_temperature(double const* temperature) {
   auto& T = particles_.scalar(Field::temperature);
   std::copy(temperature, temperature + T.size(), T.begin());
   if (problem_.conductivity_depends_on_temperature) set_conductivity();
+}
+
+template <int Dim>
+void Scene<Dim>::freeze() {
+  if (!scheme().difference_form) return;
+  operator_->freeze(particles_, geometry_, threads_);
+  ++passes_["conductances"];
 }
 
 template <int Dim>

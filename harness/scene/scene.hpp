@@ -40,6 +40,9 @@ class Scene {
   /// Sets the temperature, and the conductivity where it depends on it.
   void set_temperature(double const* temperature);
 
+  /// Promises that from now on only temperatures change, so that pairs of a linear form are computed once.
+  void freeze();
+
   /// Evaluates the scheme's rate on the particles' fields at a time.
   void evaluate(double time);
 
@@ -67,7 +70,7 @@ class Scene {
 
   WorkCount const& work() const { return work_; }
   SceneRecord record() const;
-  std::size_t bytes() const { return particles_.bytes() + geometry_.bytes(); }
+  std::size_t bytes() const { return particles_.bytes() + geometry_.bytes() + operator_->bytes(); }
 
  private:
   void place_particles(SceneChoice const& choice);

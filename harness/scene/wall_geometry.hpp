@@ -1,8 +1,12 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "cases/support/problem.hpp"
 #include "formulations/support/domain.hpp"
 #include "formulations/support/pair_geometry.hpp"
 #include "reports/results.hpp"
@@ -14,9 +18,28 @@ template <int Dim>
 double wall_area(Domain<Dim> const& domain, Wall<Dim> const& wall) {
   double area = 1.0;
   for (int k = 0; k < Dim; ++k) {
-    if (std::abs(wall.outward_normal[k]) < 0.5) area *= domain.extent()[k];
+    if (std::abs(domain.axes.col(k).dot(wall.outward_normal)) < 0.5) area *= domain.extent()[k];
   }
   return area;
+}
+
+/// Throws std::invalid_argument when a side of the domain is neither periodic nor a wall, unless the problem
+/// says where its solution holds in spite of a free surface. In one dimension gas may well be free at an end.
+template <int Dim>
+void require_closed(Problem<Dim> const& problem) {
+  if (Dim == 1 || problem.holds || problem.walls.empty()) return;
+  for (int k = 0; k < Dim; ++k) {
+    if (problem.domain.periodic[static_cast<std::size_t>(k)]) continue;
+    for (double const side : {-1.0, 1.0}) {
+      Vector<Dim> const normal = side * problem.domain.axes.col(k);
+      bool const closed = std::any_of(problem.walls.begin(), problem.walls.end(), [&](Wall<Dim> const& wall) {
+        return wall.outward_normal.dot(normal) > 1.0 - 1e-12;
+      });
+      if (closed) continue;
+      throw std::invalid_argument(fmt::format("the walls do not close: the {} side of axis {} has none",
+                                              side < 0.0 ? "lower" : "upper", k + 1));
+    }
+  }
 }
 
 /// The smallest face weight of any contact [1/m]; empty without contacts.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formulations/rate_operator.hpp"
+#include "harness/study/memory.hpp"
 
 namespace sphverify {
 
@@ -67,6 +68,7 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
     return moving ? "given density is for particles at rest: moving ones carry theirs along"
                   : "continuity density needs particles that move";
   }
+  if (std::string reason = why_not(problem, d.layout); !reason.empty()) return reason;
   if (!formulation.walls && d.face_weight != study.face_weights.front()) {
     return "face weight " + d.face_weight + " changes nothing without wall terms";
   }

@@ -13,12 +13,24 @@
 #include "harness/study/context.hpp"
 #include "harness/study/expand.hpp"
 #include "harness/study/journal.hpp"
+#include "harness/study/memory.hpp"
 #include "harness/study/progress.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
 
 namespace {
+
+/// How many of the largest runs fit into memory together.
+int jobs_that_fit(Expansion const& expansion) {
+  double largest = 0.0;
+  for (RunSpec const& run : expansion.runs) {
+    largest = std::max(largest, estimated_bytes(run.scene_case->problem(run.parameters), run.discretisation.layout,
+                                                run.resolution, run.smoothing_ratio));
+  }
+  double const jobs = physical_memory() / std::max(largest, 1.0);
+  return jobs < 1e6 ? std::max(1, static_cast<int>(jobs)) : 1'000'000;
+}
 
 int jobs_at_a_time(Study const& study, int asked) {
   int const cores = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
@@ -70,7 +82,7 @@ void run_study(Study const& study, StudyOptions const& options) {
   }
   {
     Progress progress(expansion.runs.size(), expansion.runs.size() - todo.size());
-    tbb::task_arena arena(jobs_at_a_time(study, options.jobs));
+    tbb::task_arena arena(std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion)));
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, todo.size(),

@@ -1,11 +1,15 @@
 #include "harness/study/study.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <set>
 
 #include "formulations/rate_operator.hpp"
 #include "harness/scene/choices.hpp"
+#include "harness/study/memory.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -100,19 +104,22 @@ FormulationChoice read_formulation(Node const& node) {
 }
 
 std::vector<LayoutChoice> read_layout(Node const& node) {
-  std::vector<std::string> const ids{"lattice", "jittered", "equal-mass"};
+  std::vector<std::string> const ids{"lattice",   "jittered",     "equal-mass",
+                                     "hexagonal", "close-packed", "glass"};
   if (node.is_string()) {
     std::string const id = node.word(ids);
     if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
+    if (id == "glass") node.complain(R"({"id": "glass", "seed": ...})");
     return {{id}};
   }
   node.require_keys({"id", "amplitude", "seed", "seeds"});
   std::string const id = node.at("id").word(ids);
-  if (id != "jittered") {
+  if (id != "jittered" && id != "glass") {
     node.require_keys({"id"});
     return {{id}};
   }
-  double const amplitude = node.at("amplitude").number_between(0.0, 0.499999);
+  if (id == "glass") node.require_keys({"id", "seed", "seeds"});
+  double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
   if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
   auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
   std::vector<LayoutChoice> layouts;
@@ -170,6 +177,32 @@ std::vector<std::string> defaults(std::vector<StudyCase> const& cases, std::stri
   if (any(false)) words.push_back(at_rest);
   if (any(true)) words.push_back(in_motion);
   return words;
+}
+
+/// Refuses what cannot fit into memory before hours are spent on the runs before it.
+void require_memory(Study const& study, Node const& document) {
+  double const memory = physical_memory();
+  int const finest = study.resolutions.back();
+  double const refinement = static_cast<double>(finest) / study.resolutions.front();
+  double ratio = 0.0;
+  for (double const nominal : study.smoothing_ratios) {
+    for (double const exponent : study.smoothing_exponents) {
+      ratio = std::max(ratio, nominal * std::pow(refinement, exponent));
+    }
+  }
+  for (StudyCase const& one : study.cases) {
+    AnyProblem const problem = one.scene_case->problem(one.parameters);
+    for (LayoutChoice const& layout : study.layouts) {
+      if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
+      double const bytes = estimated_bytes(problem, layout, finest, ratio);
+      if (bytes <= memory) continue;
+      throw UserError(
+          document.file(), "resolution",
+          fmt::format("{}, which on {} is {:.3g} particles and takes about {:.3g} GB", finest,
+                      one.scene_case->info.id, estimated_particles(problem, layout, finest), 1e-9 * bytes),
+          fmt::format("what fits into this machine's {:.3g} GB", 1e-9 * memory));
+    }
+  }
 }
 
 std::optional<ViscosityChoice> read_viscosity(Node const& node) {
@@ -279,6 +312,7 @@ Study read_study(Node const& document) {
   if (auto const node = document.find("repeat")) study.repeat = static_cast<int>(node->integer(1, 1000));
   study.time_budget = 300.0;
   if (auto const node = document.find("time_budget")) study.time_budget = node->positive_number();
+  require_memory(study, document);
   return study;
 }
 

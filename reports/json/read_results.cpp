@@ -56,7 +56,7 @@ Discretisation read_discretisation(Node const& node) {
     d.layout = {layout.string()};
   } else {
     d.layout.id = layout.at("id").string();
-    d.layout.amplitude = layout.at("amplitude").number();
+    if (auto const amplitude = layout.find("amplitude")) d.layout.amplitude = amplitude->number();
     if (auto const seed = layout.find("seed")) d.layout.seed = count(*seed);
   }
   d.face_weight = node.at("face_weight").string();
@@ -147,7 +147,7 @@ Motion read_motion(Node const& node) {
   m.largest_step = optional_number(node.at("largest_step"));
   m.lowest_density = measured(node.at("lowest_density"));
   m.lowest_pressure = measured(node.at("lowest_pressure"));
-  m.volume_defect = measured(node.at("volume_defect"));
+  m.volume_defect = optional_number(node.at("volume_defect"));
   m.wall_heating = optional_number(node.at("wall_heating"));
   m.energy_routes = optional_number(node.at("energy_routes"));
   return m;

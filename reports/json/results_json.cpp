@@ -167,7 +167,7 @@ Json to_json(Series const& s) {
   json["label"] = s.label;
   json["discretisation"] = to_json(s.discretisation);
   // Replicates differ in the seed alone: a series has none.
-  if (s.discretisation.layout.id == "jittered") json["discretisation"]["layout"].erase("seed");
+  if (json["discretisation"]["layout"].is_object()) json["discretisation"]["layout"].erase("seed");
   json["smoothing_exponent"] = s.smoothing_exponent;
   json["discontinuous"] = s.discontinuous;
   json["runs"] = s.runs;
@@ -208,6 +208,7 @@ Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {
 }
 
 Json to_json(LayoutChoice const& layout) {
+  if (layout.id == "glass") return {{"id", layout.id}, {"seed", layout.seed}};
   if (layout.id != "jittered") return layout.id;
   return {{"id", layout.id}, {"amplitude", layout.amplitude}, {"seed", layout.seed}};
 }

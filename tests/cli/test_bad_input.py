@@ -480,7 +480,7 @@ class CommandLine(BadInput):
             (("list", "kernls"), "kernls"),
             (("list", "--xml"), "--xml"),
             (("compare", study, "--format", "xml"), "--format"),
-            (("compare", study, "--region", "corner"), "--region"),
+            (("compare", study, "--region", "edge"), "--region"),
             (("compare", study, "--norm", "l3"), "--norm"),
         ):
             with self.subTest(arguments=arguments):

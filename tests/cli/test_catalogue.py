@@ -16,24 +16,35 @@ FORMULATIONS = {
 }  # fmt: skip
 FIVE_THIRDS = "1.6666666666666667"
 PISTON = {
-    "initial_pressure": "0.5", "pressure": "1", "density": "1", "gamma": FIVE_THIRDS, "final_time": "0.5",
+    "dimension": "1", "initial_pressure": "0.5", "pressure": "1", "density": "1", "gamma": FIVE_THIRDS,
+    "final_time": "0.5",
 }  # fmt: skip
 CASES = {  # with the parameters and defaults of the contract
     "operator/polynomial": {"degree": "0", "dimension": "1"},
     "operator/sine": {"wavenumber": "3", "phase": "0.3", "offset": "2", "dimension": "1"},
     "conduction/slab-dirichlet": {
-        "left": "1", "right": "2", "modes": "[[1,1],[3,0.5]]", "conductivity": "1", "density": "1",
-        "final_time": "0.05",
+        "dimension": "1", "turn": "0", "left": "1", "right": "2", "modes": "[[1,1],[3,0.5]]", "conductivity": "1",
+        "density": "1", "final_time": "0.05",
     },
     "conduction/slab-insulated": {
-        "mean": "1", "modes": "[[1,0.5]]", "conductivity": "1", "density": "1", "final_time": "0.05",
+        "dimension": "1", "mean": "1", "modes": "[[1,0.5]]", "conductivity": "1", "density": "1", "final_time": "0.05",
     },
-    "conduction/slab-flux": {"flux": "1", "conductivity": "1", "density": "1", "final_time": "0.05"},
-    "conduction/half-space-step": {"wall": "1", "initial": "0", "final_time": None},
+    "conduction/slab-flux": {
+        "dimension": "1", "flux": "1", "conductivity": "1", "density": "1", "final_time": "0.05",
+    },
+    "conduction/square": {
+        "walls": '"dirichlet"', "left": "1", "right": "2", "modes": "[[1,1,1],[3,2,0.5]]", "conductivity": "1",
+        "density": "1", "final_time": "0.05",
+    },
+    "conduction/cube": {
+        "walls": '"dirichlet"', "left": "1", "right": "2", "modes": "[[1,1,1,1],[2,1,3,0.5]]", "conductivity": "1",
+        "density": "1", "final_time": "0.05",
+    },
+    "conduction/half-space-step": {"dimension": "1", "wall": "1", "initial": "0", "final_time": None},
     "conduction/manufactured": {"dimension": "1"},
     "conduction/barenblatt": {"exponent": "2", "constant": "1", "start_time": "1"},
     "conduction/marshak": {"exponent": "3"},
-    "hydro/uniform": {"pressure": "1", "density": "1"},
+    "hydro/uniform": {"dimension": "1", "pressure": "1", "density": "1"},
     "hydro/manufactured": {"dimension": "1"},
     "hydro/acoustic": {"amplitude": "0.0001"},
     "hydro/riemann": {"preset": '"sod"', "left": None, "right": None, "gamma": "1.4", "interface": "0.5"},

@@ -4,7 +4,9 @@ import sys
 
 sys.dont_write_bytecode = True
 
+import itertools
 import math
+import re
 import unittest
 
 from program import ProgramTest, strict_json
@@ -72,12 +74,19 @@ class Exact(ProgramTest):
 
 
 class Coverage(Exact):
+    def points_of(self, case):
+        """Two points with as many coordinates as the case has by its defaults, which a refusal of one says."""
+        result = self.run_program("exact", case, "--time", "0.01", "--points", "0.25")
+        wanted = re.search(r"(\d) coordinates per point", result.stderr)
+        count = int(wanted[1]) if wanted else 1
+        return ",".join(":".join([x] * count) for x in ("0.25", "0.5"))
+
     def test_every_case_of_the_list_has_a_reference_solution_with_its_defaults(self):
         cases = [entry["id"] for entry in strict_json(self.succeed("list", "cases", "--json"))["cases"]]
         self.assertTrue(set(NINE_CASES) <= set(cases), cases)
         for case in cases:
             with self.subTest(case=case):
-                document = self.exact(case, 0.01, [0.25, 0.5])
+                document = self.exact(case, 0.01, self.points_of(case))
                 self.assertTrue(document["fields"])
                 self.assertTrue(set(document) >= {"fields", "parameters", "time", "case", "schema"})
                 for values in document["fields"].values():
@@ -198,6 +207,124 @@ class Slabs(Exact):
         self.assert_near(fields["temperature"], [1.0, 0.0])
 
 
+    def test_slabs_in_2d_and_3d_are_the_slab_of_one_dimension(self):
+        for case in ("slab-dirichlet", "slab-insulated", "slab-flux", "half-space-step"):
+            line = self.exact(f"conduction/{case}", 0.03, self.POINTS)["fields"]
+            for dimension, others in ((2, ":0.3"), (3, ":0.3:0.9")):
+                with self.subTest(case=case, dimension=dimension):
+                    points = ",".join(f"{x}{others}" for x in self.POINTS)
+                    fields = self.exact(f"conduction/{case}", 0.03, points, f"dimension={dimension}")["fields"]
+                    self.assertEqual(fields["temperature"], line["temperature"])
+                    expected = [flux + [0.0] * (dimension - 1) for flux in line["flux"]]
+                    self.assertEqual(fields["flux"], expected)
+
+    def test_a_turned_slab_has_the_temperatures_and_the_turned_fluxes_of_the_straight_one(self):
+        c, s = math.cos(PI / 6), math.sin(PI / 6)
+        rotations = {  # columns: where the axes come to lie, in 3D about z and then about x
+            2: ((c, -s), (s, c)),
+            3: ((c, -s, 0), (c * s, c * c, -s), (s * s, c * s, c)),
+        }  # fmt: skip
+        for dimension, R in rotations.items():
+            straight = [point[:dimension] for point in ((0.9, 0.3, 0.1), (0.6, 0.5, 0.4), (0.75, 0.2, 0.6))]
+            turned = [[sum(r * x for r, x in zip(row, point)) for row in R] for point in straight]
+            with self.subTest(dimension=dimension):
+                found, expected = (
+                    self.exact(
+                        "conduction/slab-dirichlet", 0.02, ",".join(":".join(map(repr, x)) for x in points),
+                        f"dimension={dimension}", f"turn={turn}",
+                    )["fields"]
+                    for points, turn in ((turned, 30), (straight, 0))
+                )  # fmt: skip
+                self.assert_near(found["temperature"], expected["temperature"])
+                for flux, old in zip(found["flux"], expected["flux"]):
+                    self.assert_near(flux, [sum(r * f for r, f in zip(row, old)) for row in R])
+
+    def test_a_slab_in_one_dimension_cannot_be_turned(self):
+        result = self.run_program("exact", "conduction/slab-dirichlet", "--parameter", "turn=30", "--time", "0",
+                                  "--points", "0.5")  # fmt: skip
+        self.assert_user_error(result, "turn must be 0 in one dimension", "found 30")
+
+
+class Boxes(Exact):
+    GRID = [0.0, 0.1, 0.5, 0.7, 1.0]
+
+    @staticmethod
+    def series(point, t, kappa, left, right, modes, sideways):
+        """Temperature, and its gradient, of the sum of products: sines along x, `sideways` along the other axes."""
+        slopes = {math.sin: math.cos, math.cos: lambda phase: -math.sin(phase)}
+        temperature = left + (right - left) * point[0]
+        gradient = [right - left] + [0.0] * (len(point) - 1)
+        for *numbers, amplitude in modes:
+            waves = [math.sin] + [sideways] * (len(point) - 1)
+            phases = [n * PI * x for n, x in zip(numbers, point)]
+            size = amplitude * math.exp(-sum(n * n for n in numbers) * PI**2 * kappa * t)
+            temperature += size * math.prod(wave(phase) for wave, phase in zip(waves, phases))
+            for k in range(len(point)):
+                gradient[k] += size * numbers[k] * PI * math.prod(
+                    (slopes[wave] if j == k else wave)(phase) for j, (wave, phase) in enumerate(zip(waves, phases))
+                )  # fmt: skip
+        return temperature, gradient
+
+    def test_square_and_cube_are_the_sum_of_their_products(self):
+        defaults = {"square": [[1, 1, 1], [3, 2, 0.5]], "cube": [[1, 1, 1, 1], [2, 1, 3, 0.5]]}
+        others = {"square": [[2, 4, -0.25]], "cube": [[1, 2, 1, 0.75], [3, 1, 2, -0.5]]}
+        for (name, dimension), (walls, wave) in itertools.product(
+            (("square", 2), ("cube", 3)), (("dirichlet", math.sin), ("mixed", math.cos))
+        ):  # fmt: skip
+            points = list(itertools.product(self.GRID, repeat=dimension))
+            text = ",".join(":".join(map(repr, point)) for point in points)
+            for t, kappa, left, right, modes, parameters in (
+                (0.0, 1.0, 1.0, 2.0, defaults[name], []),
+                (0.02, 1.0, 1.0, 2.0, defaults[name], []),
+                (0.03, 0.25, -1.0, 3.0, others[name],
+                 ["left=-1", "right=3", f"modes={others[name]}", "conductivity=0.5", "density=2"]),
+            ):  # fmt: skip
+                with self.subTest(case=name, walls=walls, t=t):
+                    fields = self.exact(f"conduction/{name}", t, text, f"walls={walls}", *parameters)["fields"]
+                    conductivity = 0.5 if parameters else 1.0
+                    expected = [self.series(point, t, kappa, left, right, modes, wave) for point in points]
+                    self.assert_near(fields["temperature"], [temperature for temperature, _ in expected])
+                    for flux, (_, gradient) in zip(fields["flux"], expected):
+                        self.assert_near(flux, [-conductivity * slope for slope in gradient])
+
+    def test_insulated_sides_pass_no_heat_and_the_others_keep_their_temperatures(self):
+        corners = list(itertools.product((0.0, 1.0), repeat=3))
+        text = ",".join(":".join(map(repr, point)) for point in corners)
+        for t in (0.0, 0.01):
+            fields = self.exact("conduction/cube", t, text, "walls=mixed", "left=4", "right=-2")["fields"]
+            self.assert_near(fields["temperature"], [4.0 if x == 0.0 else -2.0 for x, _, _ in corners])
+            for flux in fields["flux"]:
+                self.assertLess(max(abs(flux[1]), abs(flux[2])), 1e-14)
+
+    def test_bad_modes_and_walls_are_refused(self):
+        for case, parameter, words in (
+            ("square", "modes=[[1,1]]", ["[n, m, amplitude]"]),
+            ("cube", "modes=[[1,1,1]]", ["[n, m, l, amplitude]"]),
+            ("square", "modes=[[1,1.5,1]]", ["whole"]),
+            ("square", "modes=[[1,0,1]]", ["mode number must be 1 or more, found 0"]),
+            ("square", "walls=open", ["walls must be one of dirichlet mixed, found open"]),
+        ):  # fmt: skip
+            with self.subTest(case=case, parameter=parameter):
+                points = ":".join(["0.5"] * (2 if case == "square" else 3))
+                result = self.run_program("exact", f"conduction/{case}", "--parameter", parameter, "--time", "0",
+                                          "--points", points)  # fmt: skip
+                self.assert_user_error(result, *words)
+
+
+class Pistons(Exact):
+    def test_pistons_and_uniform_gas_in_2d_and_3d_are_those_of_one_dimension(self):
+        line_points = [0.05, 0.3, 0.45, 0.9]
+        for case in ("piston-velocity", "piston-pressure", "uniform"):
+            line = self.exact(f"hydro/{case}", 0.3, line_points)["fields"]
+            for dimension, others in ((2, ":0.1"), (3, ":0.1:0.2")):
+                with self.subTest(case=case, dimension=dimension):
+                    points = ",".join(f"{x}{others}" for x in line_points)
+                    fields = self.exact(f"hydro/{case}", 0.3, points, f"dimension={dimension}")["fields"]
+                    for name in ("density", "pressure", "internal_energy"):
+                        self.assertEqual(fields[name], line[name])
+                    self.assertEqual(fields["velocity"], [v + [0.0] * (dimension - 1) for v in line["velocity"]])
+
+
 class Manufactured(Exact):
     def test_fields_have_the_shape_that_describe_states(self):
         points = [0.0, 0.2, 0.6, 1.0]
@@ -290,8 +417,8 @@ class Fronts(Exact):
 class Arguments(Exact):
     def test_parameters_come_as_json_numbers_and_lists_and_are_reported_with_the_defaults(self):
         parameters = self.exact("conduction/slab-dirichlet", 0.0, [0.5], "left=-2.5e-1", "modes=[[2, 1]]")["parameters"]
-        self.assertEqual(parameters, {"left": -0.25, "right": 2, "modes": [[2, 1]], "conductivity": 1, "density": 1,
-                                      "final_time": 0.05})  # fmt: skip
+        self.assertEqual(parameters, {"dimension": 1, "left": -0.25, "right": 2, "modes": [[2, 1]], "conductivity": 1,
+                                      "density": 1, "turn": 0, "final_time": 0.05})  # fmt: skip
 
     def test_an_empty_list_of_modes_leaves_the_steady_state(self):
         self.assert_near(self.temperature("conduction/slab-dirichlet", 0.01, [0.25], "modes=[]"), [1.25])

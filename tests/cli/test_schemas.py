@@ -26,7 +26,7 @@ MOMENTUM_AND_WORK = [
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient",
     "work/total-energy", "work/internal-energy", "work/sqrt-p",
 ]  # fmt: skip
-REGIONS = ["all", "wall", "interior"]
+REGIONS = ["all", "corner", "wall", "interior"]
 
 
 def with_controls(formulations):
@@ -298,7 +298,7 @@ class WrongDocumentsAreRejected(ProgramTest):
             "jitter of a whole spacing":
                 put({"id": "jittered", "amplitude": 1, "seed": 1}, "runs", 0, "discretisation", "layout"),
             "an unknown field": put({}, "runs", 0, "errors", "entropy"),
-            "an unknown region": put(results["runs"][0]["errors"]["temperature"]["all"], *error, "corner"),
+            "an unknown region": put(results["runs"][0]["errors"]["temperature"]["all"], *error, "edge"),
             "a negative error": put(-1e-3, *error, "all", "l2"),
             "an error as a string": put("1e-3", *error, "all", "l2"),
             "an error without linf": drop(*error, "all", "linf"),
@@ -350,7 +350,7 @@ class WrongDocumentsAreRejected(ProgramTest):
                 study | {"formulations": [{"id": "momentum/p-rho2", "work": "conduction/brookshaw"}]},
             "an unknown density": study | {"discretisation": {"density": "guessed"}},
             "a negative ratio": study | {"discretisation": {"smoothing_ratio": [-1]}},
-            "an unknown layout": study | {"discretisation": {"layout": "hexagonal"}},
+            "an unknown layout": study | {"discretisation": {"layout": "quartz"}},
             "jitter without amplitude": study | {"discretisation": {"layout": {"id": "jittered", "seed": 1}}},
             "jitter with seed and seeds":
                 study | {"discretisation": {"layout": {"id": "jittered", "amplitude": 0.1, "seed": 1, "seeds": [2]}}},

@@ -10,9 +10,10 @@ BOOST_AUTO_TEST_SUITE(case_descriptions)
 using namespace sphverify;
 
 BOOST_AUTO_TEST_CASE(the_cases_of_the_contract_are_there) {
-  for (char const* id : {"operator/polynomial", "operator/sine", "conduction/slab-dirichlet",
-                         "conduction/slab-insulated", "conduction/slab-flux", "conduction/half-space-step",
-                         "conduction/manufactured", "conduction/barenblatt", "conduction/marshak"}) {
+  for (char const* id :
+       {"operator/polynomial", "operator/sine", "conduction/slab-dirichlet", "conduction/slab-insulated",
+        "conduction/slab-flux", "conduction/half-space-step", "conduction/manufactured",
+        "conduction/barenblatt", "conduction/marshak", "conduction/square", "conduction/cube"}) {
     BOOST_TEST(find_case(id) != nullptr, id);
   }
   BOOST_TEST(find_case("conduction/none") == nullptr);
@@ -68,6 +69,17 @@ BOOST_AUTO_TEST_CASE(values_that_make_no_sense_are_refused) {
                          Bad{"conduction/slab-dirichlet", "modes", Table{{0.5, 1.0}}},
                          Bad{"conduction/slab-dirichlet", "modes", Table{{1.0}}},
                          Bad{"conduction/slab-dirichlet", "modes", Table{{0.0, 1.0}}},
+                         Bad{"conduction/slab-dirichlet", "turn", 30.0},
+                         Bad{"conduction/square", "modes", Table{{1.0, 1.0}}},
+                         Bad{"conduction/square", "modes", Table{{1.0, 0.0, 1.0}}},
+                         Bad{"conduction/square", "modes", Table{{1.0, 0.5, 1.0}}},
+                         Bad{"conduction/square", "modes", Table{{-1.0, 1.0, 1.0}}},
+                         Bad{"conduction/square", "modes", Table{{1.0, 1e7, 1.0}}},
+                         Bad{"conduction/square", "walls", std::string("open")},
+                         Bad{"conduction/square", "conductivity", 0.0},
+                         Bad{"conduction/cube", "modes", Table{{1.0, 1.0, 1.0}}},
+                         Bad{"conduction/cube", "modes", Table{{1.0, 1.0, 0.0, 1.0}}},
+                         Bad{"conduction/cube", "density", -1.0},
                          Bad{"conduction/slab-insulated", "density", -1.0},
                          Bad{"conduction/slab-insulated", "modes", Table{{-1.0, 1.0}}},
                          Bad{"conduction/slab-flux", "conductivity", 0.0},
@@ -86,6 +98,55 @@ BOOST_AUTO_TEST_CASE(values_that_make_no_sense_are_refused) {
     BOOST_TEST_CONTEXT(bad.id << " " << bad.parameter)
     BOOST_CHECK_THROW(one->problem(parameters), std::invalid_argument);
   }
+}
+
+BOOST_AUTO_TEST_CASE(modes_may_be_uniform_along_insulated_walls) {
+  Case const* const square = find_case("conduction/square");
+  Parameters parameters(square->info.parameters);
+  parameters.set("walls", std::string("mixed"));
+  parameters.set("modes", std::vector<std::vector<double>>{{1.0, 0.0, 1.0}});
+  BOOST_CHECK_NO_THROW(square->problem(parameters));
+}
+
+BOOST_AUTO_TEST_CASE(dimensions_are_1_2_and_3_and_the_problem_has_the_one_asked_for) {
+  std::size_t checked = 0;
+  for (Case const& one : all_cases()) {
+    for (ParameterSpec const& spec : one.info.parameters) {
+      if (spec.name != "dimension") continue;
+      BOOST_TEST(spec.integer);
+      Parameters parameters(one.info.parameters);
+      BOOST_TEST_CONTEXT(one.info.id) {
+        for (double const dimension : {1.0, 2.0, 3.0}) {
+          parameters.set("dimension", dimension);
+          BOOST_TEST(one.problem(parameters).index() + 1 == static_cast<std::size_t>(dimension));
+        }
+        for (double const dimension : {-1.0, 0.0, 4.0}) {
+          parameters.set("dimension", dimension);
+          BOOST_CHECK_THROW(one.problem(parameters), std::invalid_argument);
+        }
+      }
+      ++checked;
+    }
+  }
+  BOOST_TEST(checked >= 13u);
+  BOOST_TEST(find_case("conduction/square")
+                 ->problem(Parameters(find_case("conduction/square")->info.parameters))
+                 .index() == 1u);
+  BOOST_TEST(find_case("conduction/cube")
+                 ->problem(Parameters(find_case("conduction/cube")->info.parameters))
+                 .index() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_slab_in_one_dimension_says_that_it_cannot_be_turned) {
+  Case const* const slab = find_case("conduction/slab-dirichlet");
+  Parameters parameters(slab->info.parameters);
+  parameters.set("turn", 30.0);
+  auto const says_so = [](std::invalid_argument const& error) {
+    return std::string(error.what()).starts_with("turn must be 0 in one dimension, found 30");
+  };
+  BOOST_CHECK_EXCEPTION(slab->problem(parameters), std::invalid_argument, says_so);
+  parameters.set("dimension", 2.0);
+  BOOST_CHECK_NO_THROW(slab->problem(parameters));
 }
 
 // Documents cannot hold such numbers, but `exact --parameter` and tests can.

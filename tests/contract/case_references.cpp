@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "cases/support/boxes.hpp"
 #include "cases/support/case.hpp"
 #include "formulations/support/layout.hpp"
 
@@ -13,19 +14,66 @@ BOOST_AUTO_TEST_SUITE(case_references)
 
 using namespace sphverify;
 
-/// Calls check(info, problem) for every case in every dimension that it knows.
+/// A parameter that makes another scene of a case.
+struct Setting {
+  char const* id;
+  char const* name;
+  ParameterValue value;
+  double from_dimension = 1.0;
+};
+
+std::vector<Setting> settings_of(std::string const& id) {
+  std::vector<Setting> chosen;
+  for (Setting const& one : {Setting{"conduction/slab-dirichlet", "turn", 30.0, 2.0},
+                             Setting{"conduction/square", "walls", std::string("mixed")},
+                             Setting{"conduction/cube", "walls", std::string("mixed")},
+                             Setting{"hydro/uniform", "boundary", std::string("velocity")},
+                             Setting{"hydro/uniform", "boundary", std::string("periodic")},
+                             Setting{"hydro/gresho", "boundary", std::string("velocity")}}) {
+    if (one.id == id) chosen.push_back(one);
+  }
+  return chosen;
+}
+
+bool has_dimension(CaseInfo const& info) {
+  return std::any_of(info.parameters.begin(), info.parameters.end(),
+                     [](ParameterSpec const& spec) { return spec.name == "dimension"; });
+}
+
+/// A case by its defaults, but for these.
+Parameters parameters_of(CaseInfo const& info, double dimension, Setting const* setting) {
+  Parameters parameters(info.parameters);
+  if (has_dimension(info)) parameters.set("dimension", dimension);
+  if (info.id == "operator/polynomial") parameters.set("degree", 3.0);
+  if (setting != nullptr) parameters.set(setting->name, setting->value);
+  return parameters;
+}
+
+template <int Dim>
+Problem<Dim> problem_of(char const* id, Setting const* setting = nullptr) {
+  Case const* const one = find_case(id);
+  BOOST_TEST_REQUIRE(one != nullptr);
+  return std::get<Problem<Dim>>(one->problem(parameters_of(one->info, Dim, setting)));
+}
+
+/// Calls check(info, problem) for every case in every dimension that it knows, and for its other scenes.
 template <class Check>
 void for_each_problem(Check const& check) {
   for (Case const& one : all_cases()) {
-    bool has_dimension = false;
-    for (ParameterSpec const& spec : one.info.parameters)
-      has_dimension = has_dimension || spec.name == "dimension";
-    for (double dimension = 1.0; dimension <= (has_dimension ? 3.0 : 1.0); dimension += 1.0) {
-      Parameters parameters(one.info.parameters);
-      if (has_dimension) parameters.set("dimension", dimension);
-      if (one.info.id == "operator/polynomial") parameters.set("degree", 3.0);
-      BOOST_TEST_CONTEXT(one.info.id << " in " << dimension << " dimensions") {
-        std::visit([&](auto const& problem) { check(one.info, problem); }, one.problem(parameters));
+    std::vector<Setting> const settings = settings_of(one.info.id);
+    for (std::size_t k = 0; k <= settings.size(); ++k) {
+      Setting const* const setting = k > 0 ? &settings[k - 1] : nullptr;
+      double const first = setting != nullptr ? setting->from_dimension : 1.0;
+      for (double dimension = first; dimension <= (has_dimension(one.info) ? 3.0 : first); dimension += 1.0) {
+        std::visit(
+            [&]<int Dim>(Problem<Dim> const& problem) {
+              BOOST_TEST_CONTEXT(one.info.id << " in " << Dim << " dimensions"
+                                             << (setting != nullptr ? ", other " : "")
+                                             << (setting != nullptr ? setting->name : "")) {
+                check(one.info, problem);
+              }
+            },
+            one.problem(parameters_of(one.info, dimension, setting)));
       }
     }
   }
@@ -39,11 +87,16 @@ Vector<Dim> along(int axis, double step) {
 /// Places spread over the domain, off any symmetry, none nearer to a wall than 1/37 of the extent.
 template <int Dim>
 std::vector<Vector<Dim>> places(Problem<Dim> const& problem) {
-  VectorField<Dim> const positions = jittered(problem.domain, Dim == 1 ? 37 : 6, 0.3, 5).positions;
+  Domain<Dim> const& domain = problem.domain;
+  VectorField<Dim> const positions = jittered(domain, Dim == 1 ? 37 : 8, 0.3, 5).positions;
   std::vector<Vector<Dim>> list;
   for (std::size_t i = 0; i < positions.size(); ++i) {
-    double const x = (positions[i][0] - problem.domain.lower[0]) / problem.domain.extent()[0];
-    if (x > 1.0 / 37.0 && x < 36.0 / 37.0) list.push_back(positions[i]);
+    Vector<Dim> const part = (domain.to_box(positions[i]) - domain.lower).cwiseQuotient(domain.extent());
+    bool within = true;
+    for (int k = 0; k < Dim; ++k) {
+      within = within && (domain.periodic[k] || (part[k] > 1.0 / 37.0 && part[k] < 36.0 / 37.0));
+    }
+    if (within) list.push_back(positions[i]);
   }
   return list;
 }
@@ -101,12 +154,21 @@ Vector<Dim> place_of(Problem<Dim> const& problem, Wall<Dim> const& wall, double 
   return x;
 }
 
-/// Whether a place is between the walls, and as far from them as a stencil reaches.
+/// The walls where they are at a time.
 template <int Dim>
-bool is_inside(Problem<Dim> const& problem, Vector<Dim> const& x, double t, double reach) {
-  return std::all_of(problem.walls.begin(), problem.walls.end(), [&](Wall<Dim> const& wall) {
-    return (place_of(problem, wall, t) - x).dot(wall.outward_normal) > reach;
-  });
+std::vector<Wall<Dim>> walls_at(Problem<Dim> const& problem, double time) {
+  std::vector<Wall<Dim>> walls = problem.walls;
+  for (Wall<Dim>& wall : walls) wall.point = place_of(problem, wall, time);
+  return walls;
+}
+
+/// Whether a place is between the walls, as far from them as a stencil reaches, and where the solution holds.
+template <int Dim>
+bool is_inside(Problem<Dim> const& problem, std::vector<Wall<Dim>> const& walls, Vector<Dim> const& x,
+               double t, double reach) {
+  if (problem.holds && !problem.holds(x, t)) return false;
+  return std::all_of(walls.begin(), walls.end(),
+                     [&](Wall<Dim> const& wall) { return wall.distance(x) > reach; });
 }
 
 template <class Function>
@@ -115,14 +177,19 @@ double derivative(Function const& f, double h) {
 }
 
 BOOST_AUTO_TEST_CASE(every_case_has_a_domain_walls_on_its_sides_and_a_density) {
-  for_each_problem([](CaseInfo const& info, auto const& problem) {
+  for_each_problem([]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
     BOOST_TEST((problem.domain.extent().array() > 0.0).all());
-    if (problem.not_run_because.empty()) BOOST_TEST(problem.walls.size() == 2u);
+    auto const sides = box_walls(problem.domain);
+    bool const has_free_surface = info.id == "hydro/noh" && Dim > 1;
+    BOOST_TEST(problem.walls.size() == (has_free_surface ? Dim : sides.size()));
+    std::size_t side = 0;  // walls come in the order of the sides
     for (auto const& wall : problem.walls) {
       BOOST_TEST(std::abs(wall.outward_normal.norm() - 1.0) < 1e-15);
-      bool const on_lower = std::abs((wall.point - problem.domain.lower).dot(wall.outward_normal)) < 1e-15;
-      bool const on_upper = std::abs((wall.point - problem.domain.upper).dot(wall.outward_normal)) < 1e-15;
-      BOOST_TEST((on_lower || on_upper));
+      while (side < sides.size() && (std::abs(sides[side].distance(wall.point)) > 2e-15 ||
+                                     (sides[side].outward_normal - wall.outward_normal).norm() > 1e-15)) {
+        ++side;
+      }
+      BOOST_TEST(side++ < sides.size());
       for (auto const& x : places(problem)) BOOST_TEST(wall.distance(x) > 0.0);
     }
     for (auto const& x : places(problem)) {
@@ -177,8 +244,9 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
     };
     for (Wall<Dim> const& wall : problem.walls) {
       for (double const t : times(problem.final_time)) {
+        Vector<Dim> const moved = place_of(problem, wall, t) - wall.point;
         for (Vector<Dim> const& start : feet(problem, wall)) {
-          Vector<Dim> const x = start + place_of(problem, wall, t) - wall.point;
+          Vector<Dim> const x = start + moved;
           double const tolerance = 10.0 * problem.accuracy + 1e-14;
           if (wall.temperature) {
             double const T = exact(Field::temperature, x, t);
@@ -196,7 +264,9 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
             BOOST_TEST(std::abs(wall.pressure(x, t) - exact(Field::pressure, x, t)) <= tolerance);
           if (wall.velocity) {
             Vector<Dim> const difference = wall.velocity(x, t) - problem.vectors.at(Field::velocity)(x, t);
-            BOOST_TEST(difference.norm() <= tolerance);
+            BOOST_TEST(std::abs(difference.dot(wall.outward_normal)) <= tolerance);
+            // Along a wall that is a mirror the gas may slip.
+            if (info.id.ends_with("manufactured")) BOOST_TEST(difference.norm() <= tolerance);
           }
           BOOST_TEST((wall.temperature || wall.flux || moves(info.kind)));
           BOOST_TEST((wall.pressure || wall.velocity || info.kind == CaseKind::conduction));
@@ -205,6 +275,131 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
     }
   });
   BOOST_TEST(prescribed > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE(boxes_are_the_unit_box_closed_on_all_sides_or_periodic_along_all_axes) {
+  std::size_t checked = 0;
+  for_each_problem([&]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    if (info.id != "hydro/uniform" && info.id != "conduction/square" && info.id != "conduction/cube") return;
+    BOOST_TEST((problem.domain.lower == Vector<Dim>::Zero() && problem.domain.upper == Vector<Dim>::Ones()));
+    for (bool const axis : problem.domain.periodic) BOOST_TEST(axis == problem.walls.empty());
+    BOOST_TEST((problem.walls.empty() || problem.walls.size() == 2u * Dim));
+    ++checked;
+  });
+  BOOST_TEST(checked == 13u);
+}
+
+// In an edge or corner, where a particle asks both.
+BOOST_AUTO_TEST_CASE(walls_that_meet_prescribe_the_same_there) {
+  std::size_t edges = 0;
+  for_each_problem([&]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    for (std::size_t a = 0; a < problem.walls.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) {
+        Wall<Dim> const& one = problem.walls[a];
+        Wall<Dim> const& other = problem.walls[b];
+        if (std::abs(one.outward_normal.dot(other.outward_normal)) > 0.5) continue;  // opposite sides
+        for (double const t : moves(info.kind) ? std::vector<double>{0.0} : times(problem.final_time)) {
+          for (Vector<Dim> const& foot : feet(problem, one)) {
+            Vector<Dim> const x = other.foot(foot);
+            if (one.temperature && other.temperature) {
+              BOOST_TEST(std::abs(one.temperature(x, t) - other.temperature(x, t)) <= 2.0 * problem.accuracy);
+            }
+            if (one.pressure && other.pressure) BOOST_TEST(one.pressure(x, t) == other.pressure(x, t));
+            if (one.velocity && other.velocity) {
+              BOOST_TEST((one.velocity(x, t) - other.velocity(x, t)).norm() <= 2.0 * problem.accuracy);
+            }
+            ++edges;
+          }
+        }
+      }
+    }
+  });
+  BOOST_TEST(edges > 1000u);
+}
+
+BOOST_AUTO_TEST_CASE(opposite_sides_of_a_periodic_axis_are_the_same_place) {
+  std::size_t checked = 0;
+  for_each_problem([&]<int Dim>(CaseInfo const&, Problem<Dim> const& problem) {
+    for (int k = 0; k < Dim; ++k) {
+      if (!problem.domain.periodic[k]) continue;
+      Vector<Dim> const period = problem.domain.extent()[k] * problem.domain.axes.col(k);
+      for (double const t : times(problem.final_time)) {
+        for (Vector<Dim> const& x : places(problem)) {
+          Vector<Dim> const y = x + period;
+          for (auto const& [field, f] : problem.scalars) BOOST_TEST(std::abs(f(x, t) - f(y, t)) < 1e-12);
+          for (auto const& [field, f] : problem.vectors) BOOST_TEST((f(x, t) - f(y, t)).norm() < 3e-12);
+          ++checked;
+        }
+      }
+    }
+  });
+  BOOST_TEST(checked > 1000u);
+}
+
+// That sideways nothing happens is what makes these cases checks of two and three dimensions.
+BOOST_AUTO_TEST_CASE(cases_of_one_coordinate_are_the_same_in_every_dimension) {
+  for (char const* id : {"operator/polynomial", "operator/sine", "conduction/slab-dirichlet",
+                         "conduction/slab-insulated", "conduction/slab-flux", "conduction/half-space-step",
+                         "hydro/uniform", "hydro/piston-velocity", "hydro/piston-pressure"}) {
+    Problem<1> const line = problem_of<1>(id);
+    auto const check = [&]<int Dim>(Problem<Dim> const& problem) {
+      auto const same = [](Vector<Dim> const& found, Vector<1> const& expected) {
+        BOOST_TEST(found[0] == expected[0]);
+        for (int k = 1; k < Dim; ++k) BOOST_TEST(found[k] == 0.0);
+      };
+      BOOST_TEST(problem.final_time == line.final_time);
+      BOOST_TEST(problem.accuracy == line.accuracy);
+      BOOST_TEST(problem.gamma == line.gamma);
+      for (double const t : times(problem.final_time)) {
+        for (Vector<Dim> const& x : places(problem)) {
+          Vector<1> const s(x[0]);
+          for (auto const& [field, f] : line.scalars) BOOST_TEST(problem.scalars.at(field)(x, t) == f(s, t));
+          for (auto const& [field, f] : line.vectors) same(problem.vectors.at(field)(x, t), f(s, t));
+          for (std::size_t w = 0; w < 2; ++w) {
+            Wall<Dim> const& wall = problem.walls[w];
+            Wall<1> const& end = line.walls[w];
+            BOOST_TEST(wall.distance(x) == end.distance(s));
+            if (end.path) BOOST_TEST(wall.path(t)[0] == end.path(t)[0]);
+            if (end.temperature)
+              BOOST_TEST(wall.temperature(wall.foot(x), t) == end.temperature(end.foot(s), t));
+            if (end.pressure) BOOST_TEST(wall.pressure(wall.foot(x), t) == end.pressure(end.foot(s), t));
+            if (end.velocity) same(wall.velocity(wall.foot(x), t), end.velocity(end.foot(s), t));
+            if (end.flux) same(wall.flux(wall.foot(x), t), end.flux(end.foot(s), t));
+          }
+        }
+      }
+    };
+    BOOST_TEST_CONTEXT(id << " in 2D") { check(problem_of<2>(id)); }
+    BOOST_TEST_CONTEXT(id << " in 3D") { check(problem_of<3>(id)); }
+  }
+}
+
+template <int Dim>
+void check_turned_slab() {
+  char const* const id = "conduction/slab-dirichlet";
+  Problem<Dim> const straight = problem_of<Dim>(id);
+  Setting const setting{id, "turn", 30.0};
+  Problem<Dim> const turned = problem_of<Dim>(id, &setting);
+  auto const& R = turned.domain.axes;
+  BOOST_TEST(!straight.domain.is_turned());
+  for (int k = 0; k < Dim; ++k) BOOST_TEST(R.col(k).cwiseAbs().maxCoeff() < 0.9);  // nothing stays aligned
+  for (double const t : times(straight.final_time)) {
+    for (Vector<Dim> const& x : places(straight)) {
+      Vector<Dim> const y = R * x;
+      double const T = straight.scalars.at(Field::temperature)(x, t);
+      BOOST_TEST(std::abs(turned.scalars.at(Field::temperature)(y, t) - T) <= turned.accuracy);
+      Vector<Dim> const F = R * straight.vectors.at(Field::flux)(x, t);
+      BOOST_TEST((turned.vectors.at(Field::flux)(y, t) - F).norm() < 1e-13);
+      for (std::size_t w = 0; w < 2; ++w) {
+        BOOST_TEST(std::abs(turned.walls[w].distance(y) - straight.walls[w].distance(x)) < 1e-15);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_turned_slab_is_the_same_slab_seen_from_turned_axes) {
+  check_turned_slab<2>();
+  check_turned_slab<3>();
 }
 
 BOOST_AUTO_TEST_CASE(conductivity_is_not_negative_and_depends_on_temperature_only_where_it_says_so) {
@@ -229,8 +424,9 @@ BOOST_AUTO_TEST_CASE(the_exact_flux_is_minus_conductivity_times_the_gradient_of_
     auto const& T = problem.scalars.at(Field::temperature);
     double const h = 1e-3 * problem.domain.extent()[0];
     for (double const t : times(problem.final_time)) {
+      auto const walls = walls_at(problem, t);
       for (Vector<Dim> const& x : places(problem)) {
-        if (near_front(problem, x, t) || !is_inside(problem, x, t, 2.0 * h)) continue;
+        if (near_front(problem, x, t) || !is_inside(problem, walls, x, t, 2.0 * h)) continue;
         Vector<Dim> gradient;
         for (int k = 0; k < Dim; ++k)
           gradient[k] = derivative([&](double s) { return T(x + along<Dim>(k, s), t); }, h);
@@ -279,11 +475,13 @@ bool is_smooth(Problem<Dim> const& problem, Vector<Dim> const& x, double t, doub
   auto const& P = problem.scalars.at(Field::pressure);
   double const centre = rho(x, t);
   double const pressure = P(x, t);
-  for (double const s : {-2.0 * h, 2.0 * h}) {
-    for (double const dt : {-2.0 * tau, 0.0, 2.0 * tau}) {
-      Vector<Dim> const y = x + along<Dim>(0, s);
-      if (std::abs(rho(y, t + dt) - centre) > 0.05 * centre) return false;
-      if (std::abs(P(y, t + dt) - pressure) > 0.05 * pressure) return false;
+  for (int k = 0; k < Dim; ++k) {
+    for (double const s : {-2.0 * h, 2.0 * h}) {
+      for (double const dt : {-2.0 * tau, 0.0, 2.0 * tau}) {
+        Vector<Dim> const y = x + along<Dim>(k, s);
+        if (std::abs(rho(y, t + dt) - centre) > 0.05 * centre) return false;
+        if (std::abs(P(y, t + dt) - pressure) > 0.05 * pressure) return false;
+      }
     }
   }
   return centre > 0.0;
@@ -301,8 +499,9 @@ BOOST_AUTO_TEST_CASE(gas_cases_solve_the_euler_equations_with_conduction_and_the
     std::size_t checked = 0;
     double largest = 0.0;
     for (double const t : {0.13 * problem.final_time, 0.5 * problem.final_time, 0.9 * problem.final_time}) {
+      auto const walls = walls_at(problem, t);
       for (Vector<Dim> const& x : places(problem)) {
-        if (!is_smooth(problem, x, t, h, tau) || !is_inside(problem, x, t, 0.01)) continue;
+        if (!is_smooth(problem, x, t, h, tau) || !is_inside(problem, walls, x, t, 0.01)) continue;
         BOOST_TEST(std::abs(P(x, t) - (problem.gamma - 1.0) * rho(x, t) * e(x, t)) <= 1e-12 * P(x, t));
         if (problem.scalars.contains(Field::temperature))
           BOOST_TEST(std::abs(problem.scalars.at(Field::temperature)(x, t) - e(x, t)) <= 1e-11 * e(x, t));
@@ -324,7 +523,11 @@ BOOST_AUTO_TEST_CASE(gas_cases_solve_the_euler_equations_with_conduction_and_the
           compression += in_space(component, i);
           energy += u[i] * in_space(e, i);
           momentum[i] = in_time(component) + in_space(P, i) / rho(x, t);
-          for (int k = 0; k < Dim; ++k) momentum[i] += u[k] * in_space(component, k);
+          for (int k = 0; k < Dim; ++k) {
+            double const shear = in_space(component, k);
+            momentum[i] += u[k] * shear;
+            largest = std::max(largest, std::abs(shear));
+          }
           if (problem.vectors.contains(Field::flux)) {
             auto const heat = [&](Vector<Dim> const& y, double s) {
               return problem.vectors.at(Field::flux)(y, s)[i];
@@ -341,7 +544,7 @@ BOOST_AUTO_TEST_CASE(gas_cases_solve_the_euler_equations_with_conduction_and_the
           BOOST_TEST(momentum.norm() < 1e-5 * scale);
           BOOST_TEST(std::abs(energy) < 1e-5 * scale * scale);
         }
-        largest = std::max(largest, std::abs(in_time(rho)) + std::abs(compression));
+        largest = std::max(largest, std::abs(in_time(rho)));
         ++checked;
       }
     }
@@ -431,6 +634,20 @@ BOOST_AUTO_TEST_CASE(initial_states_that_are_called_uniform_or_zero_are) {
     }
     if (info.initial == "T = 0") BOOST_TEST(T(all.front(), 0.0) == 0.0);
   });
+}
+
+BOOST_AUTO_TEST_CASE(gas_that_is_said_to_start_at_rest_is_uniform_and_does) {
+  std::size_t checked = 0;
+  for_each_problem([&]<int Dim>(CaseInfo const& info, Problem<Dim> const& problem) {
+    if (info.id != "hydro/uniform" && info.initial.find("gas at rest") == std::string::npos) return;
+    auto const all = places(problem);
+    for (Vector<Dim> const& x : all) {
+      BOOST_TEST(problem.vectors.at(Field::velocity)(x, 0.0).norm() == 0.0);
+      for (auto const& [field, f] : problem.scalars) BOOST_TEST(f(x, 0.0) == f(all.front(), 0.0));
+    }
+    ++checked;
+  });
+  BOOST_TEST(checked >= 15u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

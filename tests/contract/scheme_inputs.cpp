@@ -14,6 +14,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 template <int Dim>
 void set_field(Particles<Dim>& particles, Field field, double value) {
+  particles.allocate(field);
   if (info(field).is_vector) {
     for (int k = 0; k < Dim; ++k) particles.vector(field).component(k).assign(particles.size(), value);
   } else {

@@ -1,7 +1,13 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "tests/support/quadrature.hpp"
@@ -63,6 +69,72 @@ double inner_fraction(double d, double h) {
   return 1.0 - quadrature(beyond, std::min(d, h), h) - quadrature(beyond, std::max(d, h), 2.0 * h);
 }
 
+/// Integral of f(r) over the face of a plane at distance d that a second one, whose line is at distance e
+/// from the foot point, cuts: in rings around the foot point, of which an arc lies beyond the line.
+template <int Dim, class Function>
+double cut_plane_integral(double d, double e, double h, Function const& f) {
+  if (d >= 2.0 * h) return 0.0;
+  double const edge = std::sqrt((2.0 * h - d) * (2.0 * h + d));
+  double const knot = d < h ? std::sqrt((h - d) * (h + d)) : 0.0;
+  auto const ring = [&](double s) {
+    if (Dim == 2) return ((e > -s ? 1.0 : 0.0) + (e >= s ? 1.0 : 0.0)) * f(std::hypot(d, s));
+    double const closed = e >= s ? 0.0 : (e <= -s ? std::numbers::pi : std::acos(e / s));
+    return 2.0 * (std::numbers::pi - closed) * s * f(std::hypot(d, s));
+  };
+  std::array<double, 4> ends{0.0, knot, std::min(edge, std::abs(e)), edge};
+  std::sort(ends.begin(), ends.end());
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    // With s = a + (b - a) u^2 (3 - 2u) the root at an arc's start does no harm.
+    double const a = ends[k], b = ends[k + 1];
+    sum += quadrature(
+        [&](double u) { return 6.0 * u * (1.0 - u) * (b - a) * ring(a + (b - a) * u * u * (3.0 - 2.0 * u)); },
+        0.0, 1.0, 1e-11);
+  }
+  return sum;
+}
+
+/// Part of the kernel around a point of one plane that lies inside it and inside another at distance d, whose
+/// outward normal has a cosine with the first's: by rays, in cones around the other's normal.
+template <int Dim>
+double wedge_fraction(double d, double cosine, double h) {
+  double const sine = std::sqrt(1.0 - cosine * cosine);
+  auto const along_ray = [h](double R) {
+    auto const shell = [h](double r) { return std::pow(r, Dim - 1) * kernel<Dim>(r, h); };
+    // Polynomials of degree D + 2 at most: Gauss's rule is exact, and asked for often.
+    using Gauss = boost::math::quadrature::gauss<double, 7>;
+    double const inner = Gauss::integrate(shell, 0.0, std::min(R, h));
+    return R > h ? inner + Gauss::integrate(shell, h, std::min(R, 2.0 * h)) : inner;
+  };
+  double const whole = along_ray(2.0 * h);
+  // theta from the other's normal; in 3D the part of its cone that lies inside the first plane.
+  auto const cone = [&](double theta) {
+    double const c = std::cos(theta), s = std::sin(theta);
+    double open;
+    if (Dim == 2) {
+      open = (c * cosine + s * sine < 0.0 ? 1.0 : 0.0) + (c * cosine - s * sine < 0.0 ? 1.0 : 0.0);
+    } else {
+      open = 2.0 * s * std::acos(std::clamp(c * cosine / std::max(1e-300, s * sine), -1.0, 1.0));
+    }
+    return open == 0.0 ? 0.0 : open * (2.0 * h * c <= d ? whole : along_ray(d / c));
+  };
+  double const tilt = std::acos(std::abs(cosine));
+  std::vector<double> ends{0.0, 0.5 * std::numbers::pi - tilt, 0.5 * std::numbers::pi,
+                           0.5 * std::numbers::pi + tilt, std::numbers::pi};
+  for (double const r : {h, 2.0 * h}) {
+    if (d < r) ends.push_back(std::acos(d / r));
+  }
+  std::sort(ends.begin(), ends.end());
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    double const a = ends[k], b = ends[k + 1];
+    sum += quadrature(
+        [&](double u) { return 6.0 * u * (1.0 - u) * (b - a) * cone(a + (b - a) * u * u * (3.0 - 2.0 * u)); },
+        0.0, 1.0, 1e-11);
+  }
+  return sum;
+}
+
 /// The quantities of equations.md for particle i, for a pair and for the foot point of particle i on wall w.
 template <int Dim>
 class State {
@@ -89,22 +161,36 @@ class State {
 
   Vector<Dim> n(std::size_t w) const { return s_->walls[w].outward_normal; }
   double d(std::size_t i, std::size_t w) const { return n(w).dot(s_->walls[w].point - x(i)); }
-  bool touches(std::size_t i, std::size_t w) const { return d(i, w) < 2.0 * h(); }
-  Vector<Dim> foot(std::size_t i, std::size_t w) const { return x(i) + d(i, w) * n(w); }
+  bool is_near(std::size_t i, std::size_t w) const { return d(i, w) < 2.0 * h(); }
+  bool touches(std::size_t i, std::size_t w) const {
+    return is_near(i, w) && (foot(i, w) - x(i)).norm() < 2.0 * h();
+  }
+  /// Nearest point of the face: the plane's own foot point, or where beyond the other wall, on their edge.
+  Vector<Dim> foot(std::size_t i, std::size_t w) const {
+    Vector<Dim> const own = x(i) + d(i, w) * n(w);
+    auto const [distance, along] = cut(own, w);
+    return distance < 0.0 ? Vector<Dim>(own + distance * along) : own;
+  }
 
   double A(std::size_t i, std::size_t w) const {
     double const distance = d(i, w);
+    double const e = cut(x(i) + distance * n(w), w).first;
+    bool const is_cut = Dim > 1 && e < std::sqrt(std::max(0.0, 4.0 * h() * h() - distance * distance));
     if (s_->face_weight == FaceWeight::campbell) {
+      double const W = kernel<Dim>(distance, h());
+      if (is_cut) return W * cut_plane_integral<Dim>(distance, e, h(), [](double) { return 1.0; });
       double const constant[] = {1.0, 2.0, std::numbers::pi};
-      return kernel<Dim>(distance, h()) * constant[Dim - 1] *
-             std::pow(4.0 * h() * h() - distance * distance, 0.5 * (Dim - 1));
+      return W * constant[Dim - 1] * std::pow(4.0 * h() * h() - distance * distance, 0.5 * (Dim - 1));
     }
     std::size_t touched = 0;
-    for (std::size_t other = 0; other < walls(); ++other) touched += touches(i, other) ? 1 : 0;
+    for (std::size_t other = 0; other < walls(); ++other) touched += is_near(i, other) ? 1 : 0;
     if (s_->face_weight == FaceWeight::balanced && touched == 1) {
       double sum = 0.0;
       for (std::size_t j = 0; j < particles(); ++j) sum -= m(j) / rho(j) * gradient(i, j).dot(n(w));
       return sum;
+    }
+    if (is_cut) {
+      return cut_plane_integral<Dim>(distance, e, h(), [this](double r) { return kernel<Dim>(r, h()); });
     }
     return plane_integral<Dim>(distance, h());
   }
@@ -113,9 +199,9 @@ class State {
   /// rho_B(i)
   double rho(std::size_t i, std::size_t w) const {
     double sum = 0.0;
-    for (std::size_t j = 0; j < particles(); ++j)
-      sum += 2.0 * m(j) * kernel<Dim>((x(j) - foot(i, w)).norm(), h());
-    return sum;
+    Vector<Dim> const at = foot(i, w);
+    for (std::size_t j = 0; j < particles(); ++j) sum += m(j) * kernel<Dim>((x(j) - at).norm(), h());
+    return factor(i, w) * sum;
   }
   double P(std::size_t i, std::size_t w) const {
     return s_->walls[w].pressure ? s_->walls[w].pressure(foot(i, w), s_->time)
@@ -156,11 +242,41 @@ class State {
  private:
   template <class Value, class Function>
   Value interpolated(std::size_t i, std::size_t w, Function const& f, Value sum) const {
+    double const scale = factor(i, w);
+    Vector<Dim> const at = foot(i, w);
     for (std::size_t j = 0; j < particles(); ++j) {
-      sum += 2.0 * m(j) / rho(j) * kernel<Dim>((x(j) - foot(i, w)).norm(), h()) * f(j);
+      sum += scale * m(j) / rho(j) * kernel<Dim>((x(j) - at).norm(), h()) * f(j);
     }
     return sum;
   }
+
+  /// Where the other of at most two walls cuts wall w's plane: distance from a point of the plane, and the
+  /// line's normal.
+  std::pair<double, Vector<Dim>> cut(Vector<Dim> const& point, std::size_t w) const {
+    if (walls() == 2) {
+      Vector<Dim> const other = n(1 - w);
+      Vector<Dim> const along = other - other.dot(n(w)) * n(w);
+      if (along.norm() > 1e-10)
+        return {(s_->walls[1 - w].point - point).dot(other) / along.norm(), along.normalized()};
+    }
+    return {std::numeric_limits<double>::infinity(), Vector<Dim>::Zero()};
+  }
+
+  /// 1/Gamma at the foot point; quadratures are costly, so that they are kept.
+  double factor(std::size_t i, std::size_t w) const {
+    if (walls() < 2) return 2.0;
+    double const beyond = (s_->walls[1 - w].point - foot(i, w)).dot(n(1 - w));
+    if (beyond >= 2.0 * h()) return 2.0;
+    auto const [known, is_new] = factors_.try_emplace({i, w}, 0.0);
+    double const cosine = n(w).dot(n(1 - w));
+    if (is_new) {
+      known->second = 1.0 / (cosine < -1.0 + 1e-12 ? inner_fraction<Dim>(beyond, h()) - 0.5
+                                                   : wedge_fraction<Dim>(std::max(0.0, beyond), cosine, h()));
+    }
+    return known->second;
+  }
+
+  mutable std::map<std::pair<std::size_t, std::size_t>, double> factors_;
 
   Scene<Dim> const* s_;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -206,14 +207,21 @@ Scene<Dim> transformed(Scene<Dim> scene, Matrix<Dim> const& turn, Vector<Dim> co
   return scene;
 }
 
+/// A row comes cell by cell; this is the set that it is.
+inline std::vector<std::uint32_t> sorted_row(NeighbourList const& list, std::size_t i) {
+  std::vector<std::uint32_t> row(list.row(i).begin(), list.row(i).end());
+  std::sort(row.begin(), row.end());
+  return row;
+}
+
+/// Neighbours and wall contacts, by the particles' own smoothing lengths where they have such.
 template <int Dim>
-PairGeometry<Dim> geometry_of(Scene<Dim> const& scene, KernelWeightSet kernel, bool with_walls = true) {
-  double const h = scene.particles.smoothing_length();
-  CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
+PairGeometry<Dim> geometry_of(Scene<Dim> const& scene, bool with_walls = true) {
+  SmoothingLength const h(scene.particles);
+  CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h.largest());
   PairGeometry<Dim> geometry;
-  geometry.neighbours = find_neighbours(grid);
-  geometry.weights =
-      evaluate_kernel(geometry.neighbours, scene.particles.positions(), scene.domain, h, kernel);
+  geometry.domain = scene.domain;
+  geometry.neighbours = find_neighbours(grid, h);
   geometry.walls = scene.walls;
   for (std::size_t w = 0; with_walls && w < scene.walls.size(); ++w) {
     geometry.contacts.push_back(
@@ -242,10 +250,9 @@ struct Rates {
 };
 
 template <int Dim>
-Rates<Dim> evaluate(Scene<Dim> scene, std::string_view id, bool with_walls = true, int threads = 1) {
+Rates<Dim> evaluate(Scene<Dim> scene, std::string_view id, PairGeometry<Dim> geometry, int threads = 1) {
   auto const scheme = make_rate_operator<Dim>(id);
   scene.particles.allocate(needed_fields(scheme->info()));
-  PairGeometry<Dim> geometry = geometry_of(scene, scheme->info().kernel, with_walls);
   Rates<Dim> rates;
   scheme->evaluate(scene.particles, geometry, scene.closure, scene.time, threads, rates.work);
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
@@ -259,6 +266,11 @@ Rates<Dim> evaluate(Scene<Dim> scene, std::string_view id, bool with_walls = tru
   rates.wall_force = scheme->wall_force();
   rates.wall_power = scheme->wall_power();
   return rates;
+}
+
+template <int Dim>
+Rates<Dim> evaluate(Scene<Dim> const& scene, std::string_view id, bool with_walls = true, int threads = 1) {
+  return evaluate(scene, id, geometry_of(scene, with_walls), threads);
 }
 
 inline double largest(std::vector<double> const& values) {

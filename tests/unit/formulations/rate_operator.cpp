@@ -26,7 +26,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluat
   constexpr int Dim = D::value;
   Scene<Dim> scene = random_scene<Dim>(1, 50);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
-    PairGeometry<Dim> geometry = geometry_of(scene, scheme->kernel);
+    PairGeometry<Dim> geometry = geometry_of(scene);
     std::size_t const contacts = geometry.contacts[0].size() + geometry.contacts[1].size();
     std::size_t const passes = scheme->two_pass ? 2 : 1;
     auto const operator_ = make_rate_operator<Dim>(scheme->id);
@@ -43,7 +43,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluat
 BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result) {
   Scene<2> scene = random_scene<2>(1, 50);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
-    PairGeometry<2> geometry = geometry_of(scene, scheme->kernel);
+    PairGeometry<2> geometry = geometry_of(scene);
     auto const operator_ = make_rate_operator<2>(scheme->id);
     WorkCount work;
     std::vector<double> first;

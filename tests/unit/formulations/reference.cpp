@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "formulations/support/density.hpp"
 #include "tests/support/random_particles.hpp"
 
 // The states and rates of tests/data/operators-*d.json, which an independent prototype computed.
@@ -136,7 +137,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(face_weights_and_densities_at_the_foot_points, D, 
     Scene<Dim> const scene = scene_of<Dim>(entry.at("state"));
     double const h = scene.particles.smoothing_length();
     CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
-    PairGeometry<Dim> const geometry = geometry_of(scene, {});
+    PairGeometry<Dim> const geometry = geometry_of(scene);
     Json const& walls = entry.at("expected").at("walls");
     BOOST_TEST_REQUIRE(walls.size() == scene.walls.size());
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -144,7 +145,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(face_weights_and_densities_at_the_foot_points, D, 
       std::vector<double> density;
       for (std::size_t i = 0; i < scene.particles.size(); ++i) {
         Vector<Dim> const foot = scene.walls[w].foot(scene.particles.positions()[i]);
-        density.push_back(foot_density(grid, foot, h, scene.particles.masses()));
+        density.push_back(foot_density(grid, foot, scene.walls, h, scene.particles.masses()));
       }
       WallContacts<Dim> const& contacts = geometry.contacts[w];
       for (std::size_t c = 0; c < contacts.size(); ++c) {

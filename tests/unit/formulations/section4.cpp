@@ -1,6 +1,7 @@
 #include <boost/test/unit_test.hpp>
 
 #include "formulations/support/cubic_spline.hpp"
+#include "tests/support/gathered_pairs.hpp"
 #include "tests/support/random_particles.hpp"
 
 // Section 4 of the report: what the particle equations are as finite differences, for equally spaced
@@ -49,11 +50,13 @@ Scene<1> line_to_a_wall() {
 }
 
 BOOST_AUTO_TEST_CASE(equation_27_slope_of_the_kernel_at_the_two_neighbours) {
-  PairGeometry<1> const geometry = geometry_of(line(), {KernelWeight::gradient}, false);
+  Scene<1> const scene = line();
+  PairGeometry<1> const geometry = geometry_of(scene, false);
+  GatheredPairs<1> const pairs = gathered_pairs(scene.particles, geometry);
   auto const& list = geometry.neighbours;
   for (std::size_t i = 1; i + 1 < count; ++i) {
     for (std::size_t k = list.first[i]; k < list.first[i + 1]; ++k) {
-      double const slope = geometry.weights.gradient[k][0];
+      double const slope = pairs.gradient(k)[0];
       if (list.neighbour[k] + 1 == i)
         BOOST_TEST(slope == -0.5 / (h * h), tolerance(1e-12));
       else if (list.neighbour[k] == i + 1)
@@ -91,7 +94,7 @@ BOOST_AUTO_TEST_CASE(equation_29_at_a_wall_where_w_is_half_over_h) {
 BOOST_AUTO_TEST_CASE(equation_30_central_difference_between_the_wall_and_the_particle_before) {
   Scene<1> scene = line_to_a_wall();
   auto const& P = scene.particles.scalar(Field::pressure);
-  PairGeometry<1> geometry = geometry_of(scene, {KernelWeight::gradient});
+  PairGeometry<1> geometry = geometry_of(scene);
   BOOST_TEST(geometry.contacts[0].foot_density.back() == 1.0505 * rho, tolerance(1e-3));
   for (double& density : geometry.contacts[0].foot_density) density = rho;
   WorkCount work;

@@ -14,7 +14,7 @@ template <int Dim>
 std::vector<double> density_rate(Scene<Dim> scene, bool with_walls = true, int threads = 1) {
   auto const continuity = make_continuity_operator<Dim>();
   scene.particles.allocate(needed_fields(continuity->info()));
-  PairGeometry<Dim> geometry = geometry_of(scene, continuity->info().kernel, with_walls);
+  PairGeometry<Dim> geometry = geometry_of(scene, with_walls);
   WorkCount work;
   continuity->evaluate(scene.particles, geometry, scene.closure, scene.time, threads, work);
   return scene.particles.scalar(Field::density_rate);
@@ -194,7 +194,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(writes_the_density_rate_and_nothing_else, D, Dimen
   scene.particles.scalar(Field::heating).assign(60, 5.0);
   scene.particles.vector(Field::acceleration).component(0).assign(60, 6.0);
   std::vector<double> const density = scene.particles.scalar(Field::density);
-  PairGeometry<Dim> geometry = geometry_of(scene, continuity->info().kernel);
+  PairGeometry<Dim> geometry = geometry_of(scene);
   WorkCount work;
   for (int n = 0; n < 2; ++n) {
     continuity->evaluate(scene.particles, geometry, Closure::interpolated, 0.0, 1, work);

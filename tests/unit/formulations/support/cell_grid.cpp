@@ -166,6 +166,104 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(coordinates_that_are_not_finite_are_refused, D, Di
   }
 }
 
+/// Whether, for the particles of every cell in [first, last), the runs hold every image within reach exactly
+/// once, at its place plus the run's shift. Counts the particles met.
+template <int Dim>
+bool runs_hold_all_images(CellGrid<Dim> const& grid, std::size_t first, std::size_t last,
+                          std::vector<int>& visits) {
+  Domain<Dim> const& domain = grid.domain();
+  auto const& particles = grid.particles();
+  int images = 1;
+  for (int k = 0; k < Dim; ++k) images *= 3;
+  bool good = true;
+  grid.for_each_cell(first, last, [&](std::uint32_t begin, std::uint32_t end, auto const& runs) {
+    good = good && begin < end;
+    for (std::uint32_t s = begin; s < end; ++s) {
+      std::uint32_t const i = particles[s];
+      ++visits[i];
+      Vector<Dim> const x = domain.to_box(grid.positions()[i]);
+      for (std::uint32_t j = 0; j < particles.size(); ++j) {
+        for (int image = 0; image < images; ++image) {
+          Vector<Dim> shift = Vector<Dim>::Zero();
+          int rest = image;
+          bool exists = true;
+          for (int k = 0; k < Dim; ++k, rest /= 3) {
+            if (rest % 3 == 1) continue;
+            exists = exists && domain.periodic[static_cast<std::size_t>(k)];
+            shift[k] = (rest % 3 - 1) * domain.extent()[k];
+          }
+          Vector<Dim> const place = domain.to_box(grid.positions()[j]) + shift;
+          if (!exists || (x - place).norm() >= grid.reach()) continue;
+          int found = 0;
+          for (auto const& run : runs) {
+            if ((run.shift - shift).norm() != 0.0) continue;
+            for (std::uint32_t n = run.begin; n < run.end; ++n) found += particles[n] == j ? 1 : 0;
+          }
+          good = good && found == 1;
+        }
+      }
+    }
+  });
+  return good;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(runs_of_a_cell_hold_every_image_within_reach_once, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Random random(8);
+  for (std::size_t const count : {1u, 2u, 60u}) {
+    for (double const reach : {0.11, 0.3, 0.34, 0.5}) {
+      for (unsigned axes = 0; axes < (1u << Dim); ++axes) {
+        for (bool const turned : {false, true}) {
+          std::array<bool, Dim> periodic;
+          for (int k = 0; k < Dim; ++k) periodic[static_cast<std::size_t>(k)] = ((axes >> k) & 1u) != 0;
+          Domain<Dim> domain = unit_box<Dim>(periodic);
+          if (turned) domain.axes = random.reflection<Dim>();
+          VectorField<Dim> positions(count);
+          for (std::size_t i = 0; i < count; ++i)
+            positions.set(i, domain.to_space(random.vector<Dim>(0.0, 1.0)));
+          CellGrid<Dim> const grid(positions, domain, reach);
+          // In two parts, as threads take them.
+          std::vector<int> visits(count, 0);
+          std::size_t const middle = grid.cells() / 2;
+          BOOST_TEST((runs_hold_all_images(grid, 0, middle, visits) &&
+                      runs_hold_all_images(grid, middle, grid.cells(), visits)),
+                     count << " particles, reach " << reach << ", periodic axes " << axes);
+          BOOST_TEST((visits == std::vector<int>(count, 1)));
+        }
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_turned_box_finds_what_it_finds_straight, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Random random(9);
+  std::array<bool, Dim> periodic;
+  periodic.fill(true);
+  Domain<Dim> const straight = unit_box<Dim>(periodic);
+  Domain<Dim> turned = straight;
+  turned.axes = random.reflection<Dim>();
+  VectorField<Dim> const positions = scatter<Dim>(random, 200);
+  VectorField<Dim> in_space(200);
+  for (std::size_t i = 0; i < 200; ++i) in_space.set(i, turned.to_space(positions[i]));
+  CellGrid<Dim> const one(positions, straight, 0.3);
+  CellGrid<Dim> const other(in_space, turned, 0.3);
+  for (std::size_t i = 0; i < 200; ++i) {
+    std::map<std::uint32_t, Vector<Dim>> expected;
+    one.for_each_within_reach(positions[i], [&](std::uint32_t j, Vector<Dim> const& separation, double) {
+      expected.emplace(j, turned.to_space(separation));
+    });
+    bool good = true;
+    std::size_t found = 0;
+    other.for_each_within_reach(in_space[i], [&](std::uint32_t j, Vector<Dim> const& separation, double) {
+      ++found;
+      good = good && expected.contains(j) && (expected.at(j) - separation).norm() < 1e-14;
+    });
+    BOOST_REQUIRE(good);
+    BOOST_REQUIRE_EQUAL(found, expected.size());
+  }
+}
+
 BOOST_AUTO_TEST_CASE(no_particles_are_no_problem) {
   VectorField<2> const positions(0);
   CellGrid<2> const grid(positions, unit_box<2>(), 0.1);

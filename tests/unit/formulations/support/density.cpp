@@ -112,12 +112,28 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_loses_what_lies_beyond_each_of_two_p
   BOOST_TEST(kernel_inside(x, {}, h) == 1.0);
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_knows_corners, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::vector<Wall<Dim>> walls;
+  for (int k = 0; k < Dim; ++k)
+    walls.push_back({.point = Vector<Dim>::Zero(), .outward_normal = -Vector<Dim>::Unit(k)});
+  Vector<Dim> const corner = Vector<Dim>::Zero();
+  BOOST_TEST(std::abs(kernel_inside(corner, walls, 0.3) - std::pow(0.5, Dim)) < 1e-12);
+  Vector<Dim> const near = Vector<Dim>::Constant(0.1);
+  double one_by_one = 1.0;
+  for (int k = 0; k < Dim; ++k) one_by_one -= 1.0 - dense::inner_fraction<Dim>(0.1, 0.3);
+  if (Dim == 1)
+    BOOST_TEST(kernel_inside(near, walls, 0.3) == one_by_one, boost::test_tools::tolerance(1e-12));
+  else
+    BOOST_TEST(kernel_inside(near, walls, 0.3) > one_by_one + 0.05);
+}
+
 /// What Eq. 74 makes of the constant one at a wall of a lattice with summation density.
 template <int Dim>
 double interpolated_constant(Scene<Dim> scene) {
   scene.particles.scalar(Field::density) = summation(scene);
   scene.particles.scalar(Field::pressure).assign(scene.particles.size(), 1.0);
-  PairGeometry<Dim> geometry = geometry_of(scene, {});
+  PairGeometry<Dim> geometry = geometry_of(scene);
   fill_boundary_values(geometry.contacts[0], geometry.walls[0], scene.particles, {BoundaryValue::pressure},
                        Closure::interpolated, 0.0);
   return geometry.contacts[0].pressure[0];

@@ -16,85 +16,212 @@ struct Cloud {
   VectorField<Dim> positions;
   Domain<Dim> domain;
   double reach;
-  NeighbourList list() const { return find_neighbours(CellGrid<Dim>(positions, domain, reach)); }
+  NeighbourList list(int threads = 1) const {
+    return find_neighbours(CellGrid<Dim>(positions, domain, reach), threads);
+  }
 };
 
+enum class Box { open, periodic, turned };
+
+/// Particles at random places of a box of extents 1, 1.1, 1.2 from -0.4 on, with all axes periodic or none.
 template <int Dim>
-Cloud<Dim> cloud(std::uint64_t seed, std::size_t count, double reach, bool periodic) {
+Cloud<Dim> cloud(std::uint64_t seed, std::size_t count, double reach, Box box) {
   Random random(seed);
-  Cloud<Dim> c{VectorField<Dim>(count), {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}, reach};
-  c.domain.periodic.fill(periodic);
-  for (std::size_t i = 0; i < count; ++i) c.positions.set(i, random.vector<Dim>(0.0, 1.0));
+  Vector<Dim> const lower = Vector<Dim>::Constant(-0.4);
+  Vector<Dim> extent;
+  for (int k = 0; k < Dim; ++k) extent[k] = 1.0 + 0.1 * k;
+  Cloud<Dim> c{VectorField<Dim>(count), {.lower = lower, .upper = lower + extent}, reach};
+  c.domain.periodic.fill(box != Box::open);
+  // A reflection is the only turn in 1D; in 3D it moves all axes as a rotation does.
+  if (box == Box::turned) c.domain.axes = Dim == 2 ? random.rotation<Dim>() : random.reflection<Dim>();
+  for (std::size_t i = 0; i < count; ++i) {
+    Vector<Dim> const along = lower + random.vector<Dim>(0.0, 1.0).cwiseProduct(extent);
+    c.positions.set(i, c.domain.to_space(along));
+  }
   return c;
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(rows_are_those_of_brute_force_in_ascending_order, D, Dimensions) {
+/// Distance to the nearest of all images.
+template <int Dim>
+double brute_distance(Cloud<Dim> const& c, std::size_t i, std::size_t j) {
+  Vector<Dim> r = c.domain.axes.transpose() * (c.positions[i] - c.positions[j]);
+  for (int k = 0; k < Dim; ++k) {
+    double const period = c.domain.extent()[k];
+    if (c.domain.periodic[k]) r[k] -= period * std::round(r[k] / period);
+  }
+  return r.norm();
+}
+
+/// Whether a list's rows are the j != i with distance < reach(i, j), each once.
+template <int Dim, class Reach>
+bool is_brute_force(NeighbourList const& list, Cloud<Dim> const& c, Reach const& reach) {
+  bool good = list.rows() == c.positions.size();
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; good && i < list.rows(); ++i) {
+    std::vector<std::uint32_t> expected;
+    for (std::size_t j = 0; j < list.rows(); ++j) {
+      if (j != i && brute_distance(c, i, j) < reach(i, j)) expected.push_back(static_cast<std::uint32_t>(j));
+    }
+    pairs += expected.size();
+    good = sorted_row(list, i) == expected;
+  }
+  return good && list.pairs() == pairs;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(rows_are_those_of_brute_force, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (bool const periodic : {false, true}) {
+  for (Box const box : {Box::open, Box::periodic, Box::turned}) {
     for (std::size_t const count : {2u, 3u, 400u}) {
-      for (double const reach : {0.02, 0.15, 0.4}) {
-        Cloud<Dim> const c = cloud<Dim>(count, count, reach, periodic);
-        NeighbourList const list = c.list();
-        BOOST_TEST(list.rows() == count);
-        bool good = true;
-        std::size_t pairs = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-          std::vector<std::uint32_t> expected;
-          for (std::size_t j = 0; j < count; ++j) {
-            Vector<Dim> r = c.positions[i] - c.positions[j];
-            if (periodic) r -= r.array().round().matrix().eval();
-            if (j != i && r.norm() < reach) expected.push_back(static_cast<std::uint32_t>(j));
-          }
-          pairs += expected.size();
-          good = good && std::ranges::equal(list.row(i), expected);
-        }
-        BOOST_TEST(good, count << " particles, reach " << reach << ", periodic " << periodic);
-        BOOST_TEST(list.pairs() == pairs);
+      // Half of the shortest axis is 0.5: two cells there, one where the particles are few.
+      for (double const reach : {0.02, 0.15, 0.26, 0.34, 0.4, 0.5}) {
+        Cloud<Dim> const c = cloud<Dim>(count, count, reach, box);
+        bool const good = is_brute_force(c.list(), c, [&](std::size_t, std::size_t) { return reach; });
+        BOOST_TEST(good, count << " particles, reach " << reach << ", box " << static_cast<int>(box));
       }
     }
   }
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(particles_of_one_and_of_two_cells_along_a_periodic_axis_meet_once, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::periodic, Box::turned}) {
+    // As many cells along an axis as particles at most: 1 and 2.
+    for (std::size_t const count : {1u, 2u}) {
+      for (std::uint64_t seed = 0; seed < 50; ++seed) {
+        Cloud<Dim> const c = cloud<Dim>(seed, count, 0.45, box);
+        BOOST_TEST(is_brute_force(c.list(), c, [](std::size_t, std::size_t) { return 0.45; }));
+      }
+    }
+    // Many particles in two cells per axis.
+    Cloud<Dim> const c = cloud<Dim>(7, 200, 0.5, box);
+    BOOST_TEST(is_brute_force(c.list(), c, [](std::size_t, std::size_t) { return 0.5; }));
+  }
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(who_is_my_neighbour_has_me_for_one, D, Dimensions) {
   constexpr int Dim = D::value;
-  NeighbourList const list = cloud<Dim>(1, 300, 0.2, true).list();
-  bool symmetric = true;
-  for (std::uint32_t i = 0; i < 300; ++i) {
-    for (std::uint32_t const j : list.row(i))
-      symmetric = symmetric && std::ranges::binary_search(list.row(j), i);
+  for (Box const box : {Box::open, Box::periodic, Box::turned}) {
+    NeighbourList const list = cloud<Dim>(1, 300, 0.2, box).list();
+    bool symmetric = true;
+    for (std::uint32_t i = 0; i < 300; ++i) {
+      for (std::uint32_t const j : list.row(i)) {
+        auto const row = list.row(j);
+        symmetric = symmetric && std::ranges::count(row, i) == 1;
+      }
+    }
+    BOOST_TEST(symmetric);
   }
-  BOOST_TEST(symmetric);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(own_reaches_and_a_skin_widen_every_pair_s_support, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::open, Box::periodic, Box::turned}) {
+    for (double const skin : {0.0, 0.1, 0.4}) {
+      Cloud<Dim> c = cloud<Dim>(2, 300, 0.0, box);
+      Particles<Dim> particles(300, 0.1);
+      particles.vary_smoothing_length();
+      Random random(3);
+      for (double& h : particles.smoothing_lengths()) h *= random.uniform(0.3, 1.5);
+      SmoothingLength const h(particles);
+      CellGrid<Dim> const grid(c.positions, c.domain, 2.0 * (1.0 + skin) * h.largest());
+      NeighbourList const list = find_neighbours(grid, h, skin);
+      auto const reach = [&](std::size_t i, std::size_t j) { return (1.0 + skin) * (h(i) + h(j)); };
+      BOOST_TEST(is_brute_force(list, c, reach), "skin " << skin << ", box " << static_cast<int>(box));
+      NeighbourList const common = find_neighbours(grid, SmoothingLength(0.1), skin);
+      auto const grid_s = [&](std::size_t, std::size_t) { return grid.reach(); };
+      BOOST_TEST(is_brute_force(common, c, grid_s));  // where all have one length the grid's reach holds
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_the_list, D, Dimensions) {
+  constexpr int Dim = D::value;
+  // More than a thousand cells, which are what threads share.
+  std::size_t const count = Dim == 1 ? 6000 : 5000;
+  double const reach = Dim == 1 ? 3e-4 : (Dim == 2 ? 0.025 : 0.08);
+  for (Box const box : {Box::open, Box::turned}) {
+    Cloud<Dim> const c = cloud<Dim>(4, count, reach, box);
+    CellGrid<Dim> const grid(c.positions, c.domain, reach);
+    BOOST_TEST(grid.cells() > 1024u);
+    Particles<Dim> particles(count, 0.5 * reach);
+    particles.vary_smoothing_length();
+    Random random(5);
+    for (double& h : particles.smoothing_lengths()) h *= random.uniform(0.5, 1.0);
+    SmoothingLength const h(particles);
+    NeighbourList const one = c.list(1);
+    NeighbourList const own = find_neighbours(grid, h, 0.0, 1);
+    BOOST_TEST(one.pairs() > count / 2);
+    BOOST_TEST(own.pairs() < one.pairs());
+    for (int const threads : {2, 4}) {
+      NeighbourList const several = c.list(threads);
+      BOOST_TEST((several.first == one.first));
+      BOOST_TEST((several.neighbour == one.neighbour));
+      NeighbourList const own_several = find_neighbours(grid, h, 0.0, threads);
+      BOOST_TEST((own_several.first == own.first));
+      BOOST_TEST((own_several.neighbour == own.neighbour));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(an_old_list_lends_its_memory_and_nothing_else, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Cloud<Dim> const c = cloud<Dim>(8, 200, 0.2, Box::periodic);
+  CellGrid<Dim> const grid(c.positions, c.domain, c.reach);
+  NeighbourList const fresh = find_neighbours(grid);
+  for (std::size_t const count : {1u, 50u, 400u}) {
+    NeighbourList const renewed = find_neighbours(grid, 1, cloud<Dim>(9, count, 0.3, Box::open).list());
+    BOOST_TEST((renewed.first == fresh.first));
+    BOOST_TEST((renewed.neighbour == fresh.neighbour));
+  }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(single_particle_has_an_empty_row_even_where_it_would_meet_its_own_image, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  for (bool const periodic : {false, true}) {
-    NeighbourList const list = cloud<Dim>(1, 1, 0.5, periodic).list();
+  for (Box const box : {Box::open, Box::periodic, Box::turned}) {
+    NeighbourList const list = cloud<Dim>(1, 1, 0.5, box).list();
     BOOST_TEST(list.rows() == 1u);
     BOOST_TEST(list.pairs() == 0u);
   }
 }
 
 BOOST_AUTO_TEST_CASE(no_particles_have_no_rows) {
-  BOOST_TEST(cloud<2>(1, 0, 0.1, false).list().rows() == 0u);
+  BOOST_TEST(cloud<2>(1, 0, 0.1, Box::open).list().rows() == 0u);
+}
+
+bool names_7_and_23(std::invalid_argument const& problem) {
+  return std::string(problem.what()).find("particles 7 and 23 are") != std::string::npos;
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_at_the_same_place_are_refused_by_name, D, Dimensions) {
   constexpr int Dim = D::value;
-  Cloud<Dim> c = cloud<Dim>(1, 30, 0.2, false);
-  c.positions.set(23, c.positions[7]);
-  auto const names_both = [](std::invalid_argument const& problem) {
-    std::string const message = problem.what();
-    return message.find("7") != std::string::npos && message.find("23") != std::string::npos;
-  };
-  BOOST_CHECK_EXCEPTION(c.list(), std::invalid_argument, names_both);
+  for (Box const box : {Box::open, Box::periodic, Box::turned}) {
+    Cloud<Dim> c = cloud<Dim>(1, 30, 0.2, box);
+    c.positions.set(23, c.positions[7]);
+    for (int const threads : {1, 2}) {
+      BOOST_CHECK_EXCEPTION(c.list(threads), std::invalid_argument, names_7_and_23);
+    }
+  }
 }
 
-BOOST_AUTO_TEST_CASE(particles_one_period_apart_are_at_the_same_place) {
-  Cloud<1> c{VectorField<1>(2), {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0), .periodic = {true}}, 0.2};
-  c.positions.component(0) = {0.0, 1.0};
-  BOOST_CHECK_THROW(c.list(), std::invalid_argument);
+BOOST_AUTO_TEST_CASE_TEMPLATE(particles_a_period_apart_are_at_the_same_place, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (int axis = 0; axis < Dim; ++axis) {
+    // Powers of two, so that the images coincide to the last bit.
+    Cloud<Dim> c{
+        VectorField<Dim>(30), {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Constant(2.0)}, 0.5};
+    Random random(6);
+    for (std::size_t i = 0; i < 30; ++i) c.positions.set(i, random.vector<Dim>(0.1, 1.9));
+    Vector<Dim> at = Vector<Dim>::Constant(0.25);
+    at[axis] = 0.0;
+    c.positions.set(7, at);
+    at[axis] = 2.0;
+    c.positions.set(23, at);
+    BOOST_CHECK_NO_THROW(c.list());
+    c.domain.periodic[static_cast<std::size_t>(axis)] = true;
+    BOOST_CHECK_EXCEPTION(c.list(), std::invalid_argument, names_7_and_23);
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

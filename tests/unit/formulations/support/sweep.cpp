@@ -37,15 +37,32 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_identical_bit_for_bit_at_any_number_of_t
   }
 }
 
+BOOST_AUTO_TEST_CASE(blocks_are_all_rows_once_and_none_where_there_are_none) {
+  for (int const threads : {1, 2, 4}) {
+    for (std::size_t const count : {0u, 1u, 1023u, 1024u, 1025u, 10000u}) {
+      std::vector<std::atomic<int>> calls(count);
+      std::atomic<bool> empty_block = false;
+      for_each_block(count, threads, [&](std::size_t begin, std::size_t end) {
+        if (begin >= end) empty_block = true;
+        for (std::size_t i = begin; i < end; ++i) ++calls[i];
+      });
+      bool once = true;
+      for (auto const& n : calls) once = once && n == 1;
+      BOOST_TEST(once, count << " rows, " << threads << " threads");
+      BOOST_TEST(!empty_block);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_its_terms) {
   Scene<1> const scene = random_scene<1>(1, 20);
-  PairGeometry<1> const geometry = geometry_of(scene, {KernelWeight::gradient});
+  PairGeometry<1> const geometry = geometry_of(scene);
   std::vector<double> out(20, 99.0);
-  sweep_pairs<double>(geometry.neighbours, geometry.weights, scene.particles, 1, out,
-                      [](auto const&, auto const&, auto const&) { return 1.0; });
-  for (std::size_t i = 0; i < 20; ++i) {
-    BOOST_TEST(out[i] == static_cast<double>(geometry.neighbours.row(i).size()));
-  }
+  PairSweep<1> sweep(geometry.neighbours, geometry.domain, 1);
+  RowFunction const one = [](Row const&, void const*, double* sum) { *sum += 1.0; };
+  sweep.add(one, {}, {}, out);
+  sweep.run(scene.particles);
+  for (std::size_t i = 0; i < 20; ++i) BOOST_TEST(out[i] == (geometry.neighbours.row(i).empty() ? 0.0 : 1.0));
   std::vector<double> const pairs_only = out;
   std::vector<double> const terms = sweep_wall<double>(geometry.contacts[0], scene.particles, out,
                                                        [](auto const&, auto const& B) { return B.d(); });

@@ -176,6 +176,21 @@ BOOST_AUTO_TEST_CASE(regions_in_more_dimensions_know_the_walls_that_there_are) {
   BOOST_TEST(find(found, "interior")->particles.size() == 16u * 20u);  // beyond 0.22: from 0.225 on
 }
 
+BOOST_AUTO_TEST_CASE(corner_is_within_2h_of_two_walls_that_are_not_parallel) {
+  Domain<2> const domain = slab<2>(0.0, 1.0);
+  auto const particles = on_lattice(domain, 20, 1.1);  // h = 0.055: within 0.11, two particles deep
+  auto walls = slab_walls(domain);
+  BOOST_TEST(find(regions(particles, walls), "corner") == nullptr);
+  walls.push_back({.point = {0.0, 0.0}, .outward_normal = {0.0, -1.0}});
+  auto const found = regions(particles, walls);
+  std::vector<std::size_t> const corner{0, 1, 20, 21, 360, 361, 380, 381};
+  BOOST_TEST_REQUIRE(find(found, "corner") != nullptr);
+  BOOST_TEST(find(found, "corner")->particles == corner, boost::test_tools::per_element());
+  BOOST_TEST(find(found, "wall")->particles.size() == 2u * 2u * 20u + 2u * 16u);
+  // Two walls within reach that are parallel make no corner.
+  BOOST_TEST(find(regions(on_lattice(domain, 4, 1.2), slab_walls(domain)), "corner") == nullptr);
+}
+
 BOOST_AUTO_TEST_CASE(regions_without_particles_are_absent) {
   Domain<1> const domain = slab<1>(0.0, 1.0);
   auto const narrow = regions(on_lattice(domain, 4, 1.2), slab_walls(domain));

@@ -46,7 +46,8 @@ BOOST_AUTO_TEST_CASE(frozen_particles_are_searched_and_weighed_once_however_many
   for (std::string const& formulation : conduction_schemes()) {
     for (bool const walls : {true, false}) {
       SceneRecord const scene = scene_of({.formulation = formulation, .walls = walls});
-      for (char const* pass : {"layout", "neighbour-search", "kernel"}) BOOST_TEST(times(scene, pass) == 1u);
+      for (char const* pass : {"layout", "neighbour-search"}) BOOST_TEST(times(scene, pass) == 1u);
+      BOOST_TEST(times(scene, "conductances") == (formulation == "conduction/brookshaw" ? 1u : 0u));
       BOOST_TEST(times(scene, "wall-contacts") == (walls ? 1u : 0u));
       BOOST_TEST(times(scene, formulation) > 100u);
     }
@@ -62,7 +63,7 @@ BOOST_AUTO_TEST_CASE(only_two_pass_forms_run_a_flux_pass_and_as_often_as_the_rat
 }
 
 BOOST_AUTO_TEST_CASE(a_scene_runs_no_other_pass_than_these) {
-  std::vector<std::string> const expected{"conduction/brookshaw", "conductivity", "kernel", "layout",
+  std::vector<std::string> const expected{"conductances", "conduction/brookshaw", "conductivity", "layout",
                                           "neighbour-search"};
   SceneRecord const scene = scene_of({.walls = false});
   std::vector<std::string> found;
@@ -73,6 +74,7 @@ BOOST_AUTO_TEST_CASE(a_scene_runs_no_other_pass_than_these) {
 BOOST_AUTO_TEST_CASE(a_conductivity_that_does_not_depend_on_temperature_is_set_once) {
   BOOST_TEST(times(scene_of({}), "conductivity") == 1u);
   BOOST_TEST(times(scene_of({.scene_case = "conduction/manufactured"}), "conductivity") > 100u);
+  BOOST_TEST(times(scene_of({.scene_case = "conduction/manufactured"}), "conductances") == 0u);
 }
 
 BOOST_AUTO_TEST_CASE(densities_are_summed_only_where_the_study_says_so_and_once) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "formulations/support/sweep/sweep.hpp"
+
+namespace sphverify {
+
+/// The loops over pairs for this processor, chosen once, at the first call: AVX2 with fused multiply-add
+/// where an x86-64 has both, else what every machine of the architecture has. Results of the two differ by
+/// round-off.
+template <int Dim>
+SweepKernels const& sweep_kernels();
+
+}  // namespace sphverify

@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+// Everything that depends on the instruction set lives in a namespace named after it: the linker must never
+// take a function that was compiled for one set for another's.
+#ifndef SPHVERIFY_INSTRUCTION_SET
+#error "only for files that are compiled once per instruction set (kernels_*.cpp)"
+#endif
+
+#define SPHVERIFY_INLINE [[gnu::always_inline]] inline
+
+namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
+
+/// Four numbers on which a scheme's formula works at once, lane by lane. Four serve every machine: one
+/// register with AVX2, two with SSE2 or NEON; eight were not faster where they fit.
+struct Pack {
+  typedef double Lanes __attribute__((vector_size(32)));
+  typedef std::int64_t Mask __attribute__((vector_size(32)));
+  static constexpr std::size_t size = 4;
+
+  Lanes lanes;
+
+  Pack() = default;
+  SPHVERIFY_INLINE Pack(double all) : lanes{all, all, all, all} {}
+  SPHVERIFY_INLINE Pack(Lanes l) : lanes(l) {}
+
+  /// Expects 32-byte alignment.
+  SPHVERIFY_INLINE static Pack load(double const* from) { return *reinterpret_cast<Lanes const*>(from); }
+  SPHVERIFY_INLINE void store(double* to) const { *reinterpret_cast<Lanes*>(to) = lanes; }
+
+  SPHVERIFY_INLINE friend Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
+  SPHVERIFY_INLINE friend Pack operator-(Pack a, Pack b) { return a.lanes - b.lanes; }
+  SPHVERIFY_INLINE friend Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
+  SPHVERIFY_INLINE friend Pack operator/(Pack a, Pack b) { return a.lanes / b.lanes; }
+  SPHVERIFY_INLINE friend Pack operator-(Pack a) { return -a.lanes; }
+  SPHVERIFY_INLINE Pack& operator+=(Pack b) {
+    lanes += b.lanes;
+    return *this;
+  }
+  SPHVERIFY_INLINE Pack& operator-=(Pack b) {
+    lanes -= b.lanes;
+    return *this;
+  }
+
+  SPHVERIFY_INLINE friend Mask operator<(Pack a, Pack b) { return a.lanes < b.lanes; }
+  SPHVERIFY_INLINE friend Pack select(Mask mask, Pack yes, Pack no) { return mask ? yes.lanes : no.lanes; }
+  SPHVERIFY_INLINE friend Pack min(Pack a, Pack b) { return select(a < b, a, b); }
+  SPHVERIFY_INLINE friend Pack max(Pack a, Pack b) { return select(a < b, b, a); }
+  SPHVERIFY_INLINE friend Pack sqrt(Pack a) {
+    return Lanes{__builtin_sqrt(a.lanes[0]), __builtin_sqrt(a.lanes[1]), __builtin_sqrt(a.lanes[2]),
+                 __builtin_sqrt(a.lanes[3])};
+  }
+  /// To the nearest whole number; expects magnitudes below 2^51.
+  SPHVERIFY_INLINE friend Pack nearest_integer(Pack a) {
+    Pack const shift = 0x1.8p52;
+    return (a + shift) - shift;
+  }
+
+  SPHVERIFY_INLINE double sum() const { return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]); }
+  SPHVERIFY_INLINE double largest() const {
+    double const a = lanes[0] < lanes[1] ? lanes[1] : lanes[0];
+    double const b = lanes[2] < lanes[3] ? lanes[3] : lanes[2];
+    return a < b ? b : a;
+  }
+};
+
+/// Four numbers that formulas like to divide by, with their inverses: a quotient becomes a product.
+struct Divisor {
+  Pack value, inverse;
+
+  SPHVERIFY_INLINE operator Pack() const { return value; }
+  SPHVERIFY_INLINE friend Divisor operator*(Divisor a, Divisor b) {
+    return {a.value * b.value, a.inverse * b.inverse};
+  }
+  SPHVERIFY_INLINE friend Pack operator+(Divisor a, Divisor b) { return a.value + b.value; }
+  SPHVERIFY_INLINE friend Pack operator/(Pack a, Divisor b) { return a * b.inverse; }
+};
+
+/// x^n
+template <int n>
+SPHVERIFY_INLINE Pack integer_power(Pack x) {
+  if constexpr (n == 1) {
+    return x;
+  } else {
+    return x * integer_power<n - 1>(x);
+  }
+}
+
+/// Four vectors. Has of Eigen's interface what the schemes use.
+template <int Dim>
+struct PackVector {
+  Pack component[Dim];
+
+  SPHVERIFY_INLINE PackVector eval() const { return *this; }
+  SPHVERIFY_INLINE Pack dot(PackVector const& b) const {
+    Pack sum = component[0] * b.component[0];
+    for (int k = 1; k < Dim; ++k) sum += component[k] * b.component[k];
+    return sum;
+  }
+  SPHVERIFY_INLINE Pack squaredNorm() const { return dot(*this); }
+
+  SPHVERIFY_INLINE friend PackVector operator+(PackVector a, PackVector const& b) {
+    for (int k = 0; k < Dim; ++k) a.component[k] += b.component[k];
+    return a;
+  }
+  SPHVERIFY_INLINE friend PackVector operator-(PackVector a, PackVector const& b) {
+    for (int k = 0; k < Dim; ++k) a.component[k] -= b.component[k];
+    return a;
+  }
+  SPHVERIFY_INLINE friend PackVector operator*(Pack s, PackVector a) {
+    for (int k = 0; k < Dim; ++k) a.component[k] = s * a.component[k];
+    return a;
+  }
+  SPHVERIFY_INLINE friend PackVector operator/(PackVector a, Divisor s) { return s.inverse * a; }
+  SPHVERIFY_INLINE PackVector& operator+=(PackVector const& b) { return *this = *this + b; }
+};
+
+}  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "formulations/support/density.hpp"
+#include "formulations/support/pair_geometry.hpp"
+
+namespace sphverify {
+
+/// What depends on where the particles of a moving gas are: neighbours, densities that are sums, smoothing
+/// lengths that follow the density, wall contacts. Neighbours are found a little beyond the support where the
+/// particles are slow, and are kept until one has moved further than that skin.
+template <int Dim>
+class MovingGeometry {
+ public:
+  struct Choice {
+    DensityRule density;
+    FaceWeight face_weight;
+    bool adaptive;           ///< every particle has its own smoothing length, h_i = ratio (m_i/rho_i)^(1/Dim)
+    double smoothing_ratio;  ///< h/dx
+    int threads;
+  };
+
+  MovingGeometry(Domain<Dim> const& domain, Choice const& choice);
+
+  /// Follows the particles, whose `positions` must stay the same object. Writes their densities, unless these
+  /// obey the continuity equation, and smoothing lengths.
+  /// @param walls empty without wall terms
+  /// @param all_walls of the scene, which bound the gas whether they push it or not
+  /// Throws std::invalid_argument when the places make no sense.
+  void follow(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls,
+              std::vector<Wall<Dim>> const& all_walls);
+
+  PairGeometry<Dim>& geometry() { return geometry_; }
+  PairGeometry<Dim> const& geometry() const { return geometry_; }
+  std::map<std::string_view, std::uint64_t> const& passes() const { return passes_; }
+  std::size_t bytes() const;
+
+ private:
+  bool sums_density() const { return choice_.density != DensityRule::continuity; }
+  bool has_outrun_list(Particles<Dim> const& particles) const;
+  double choose_skin(Particles<Dim> const& particles) const;
+  void find_list(Particles<Dim> const& particles);
+  void set_density(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);
+  void set_smoothing_length(Particles<Dim>& particles);
+  void adapt_smoothing_length_to_sum(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls);
+
+  Choice choice_;
+  PairGeometry<Dim> geometry_;
+  std::optional<CellGrid<Dim>> grid_;
+  VectorField<Dim> found_at_;  ///< places at which the list was found
+  std::vector<double> reach_;  ///< (1 + skin) h_i when it was; one for all where h is uniform
+  std::uint64_t uses_ = 0;     ///< of the list
+  std::map<std::string_view, std::uint64_t> passes_;
+};
+
+extern template class MovingGeometry<1>;
+extern template class MovingGeometry<2>;
+extern template class MovingGeometry<3>;
+
+}  // namespace sphverify

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "cases/support/problem.hpp"
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+/// About how many bytes a run holds at its peak: fields, neighbour list, what the integrator keeps. Within a
+/// factor of two of what runs were measured to take; meant to refuse what cannot be.
+/// @param smoothing_ratio h/dx at this resolution
+/// Throws std::invalid_argument for a layout that the problem's dimension does not have.
+double estimated_bytes(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
+                       double smoothing_ratio);
+
+/// Why the problem's dimension does not have a layout; empty if it does.
+std::string why_not(AnyProblem const& problem, LayoutChoice const& layout);
+
+/// Particles that a run would have, as a number that does not overflow.
+double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout, int resolution);
+
+/// Memory of this machine, in bytes.
+double physical_memory();
+
+}  // namespace sphverify

@@ -1,0 +1,365 @@
+#include "harness/scene/moving_geometry.hpp"
+
+#include <boost/test/unit_test.hpp>
+#include <limits>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "tests/support/dense.hpp"
+
+BOOST_AUTO_TEST_SUITE(harness_scene_moving_geometry)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+/// A gas on a jittered lattice in a box of unit sides, periodic or between two walls across x, and what
+/// follows it.
+template <int Dim>
+struct Gas {
+  static constexpr int side = Dim == 1 ? 60 : (Dim == 2 ? 24 : 12);
+  static constexpr double spacing = 1.0 / side;
+
+  tests::Scene<Dim> scene;
+  typename MovingGeometry<Dim>::Choice choice;
+  MovingGeometry<Dim> geometry;
+
+  Gas(bool walls, DensityRule density, bool adaptive = false, double smoothing_ratio = 1.2, int threads = 1)
+      : scene(lattice_scene<Dim>(side, spacing, smoothing_ratio)),
+        choice{density, FaceWeight::exact, adaptive, smoothing_ratio, threads},
+        geometry(box(scene.domain, walls), choice) {
+    scene.domain = box(scene.domain, walls);
+    Random random(1);
+    auto& x = scene.particles.positions();
+    VectorField<Dim> const at = x;
+    randomise_fields(scene.particles, random);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      x.set(i, at[i] + random.vector<Dim>(-0.1, 0.1) * spacing);
+      scene.particles.masses()[i] = random.uniform(0.9, 1.1) * std::pow(spacing, Dim);
+      scene.particles.scalar(Field::density)[i] = random.uniform(0.9, 1.1);
+    }
+    if (adaptive) scene.particles.vary_smoothing_length();
+    if (!walls) return;
+    Vector<Dim> const n = Vector<Dim>::Unit(0);
+    scene.walls.push_back({.point = -0.5 * n, .outward_normal = -n});
+    scene.walls.push_back({.point = 0.5 * n, .outward_normal = n});
+    for (Wall<Dim>& wall : scene.walls) wall.pressure = [](Vector<Dim> const&, double) { return 1.3; };
+  }
+
+  static Domain<Dim> box(Domain<Dim> domain, bool walls) {
+    domain.periodic.fill(true);
+    domain.periodic[0] = !walls;
+    return domain;
+  }
+
+  double h() const { return scene.particles.smoothing_length(); }
+  void follow() { geometry.follow(scene.particles, scene.walls, scene.walls); }
+  std::uint64_t searches() const { return geometry.passes().at("neighbour-search"); }
+
+  /// Moves all by a distance in random directions, back into the box where they leave it.
+  void move(double distance, std::uint64_t seed) {
+    Random random(seed);
+    auto& x = scene.particles.positions();
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      Vector<Dim> moved = x[i] + distance * random.direction<Dim>();
+      for (int k = 0; k < Dim; ++k) {
+        if (scene.domain.periodic[static_cast<std::size_t>(k)]) moved[k] -= std::floor(moved[k] + 0.5);
+      }
+      x.set(i, moved);
+    }
+  }
+
+  std::vector<double> rates(std::string_view id, Particles<Dim> particles, PairGeometry<Dim> pairs) const {
+    auto const scheme = make_rate_operator<Dim>(id);
+    WorkCount work;
+    scheme->evaluate(particles, pairs, scene.closure, 0.0, 1, work);
+    if (scheme->info().rate != Rate::acceleration) return particles.scalar(Field::heating);
+    std::vector<double> all;
+    for (int k = 0; k < Dim; ++k) {
+      auto const& a = particles.vector(Field::acceleration).component(k);
+      all.insert(all.end(), a.begin(), a.end());
+    }
+    return all;
+  }
+
+  /// Largest deviation of densities, smoothing lengths, wall contacts and rates from those of a list that is
+  /// new.
+  double deviation_from_a_new_list() const {
+    Particles<Dim> particles = scene.particles;
+    MovingGeometry<Dim> fresh(scene.domain, choice);
+    fresh.follow(particles, scene.walls, scene.walls);
+    double worst =
+        relative_difference(scene.particles.scalar(Field::density), particles.scalar(Field::density));
+    if (choice.adaptive) {
+      worst = std::max(
+          worst, relative_difference(scene.particles.smoothing_lengths(), particles.smoothing_lengths()));
+    }
+    PairGeometry<Dim> const& kept = geometry.geometry();
+    PairGeometry<Dim> const& renewed = fresh.geometry();
+    for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+      worst = std::max(worst,
+                       relative_difference(kept.contacts[w].foot_density, renewed.contacts[w].foot_density));
+      worst =
+          std::max(worst, relative_difference(kept.contacts[w].face_weight, renewed.contacts[w].face_weight));
+    }
+    for (std::string_view const id : {"momentum/p-rho2", "work/internal-energy", "conduction/brookshaw"}) {
+      worst = std::max(worst,
+                       relative_difference(rates(id, scene.particles, kept), rates(id, particles, renewed)));
+    }
+    return worst;
+  }
+};
+
+constexpr double round_off = 1e-12;
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(list_is_kept_while_nobody_has_moved_further_than_the_skin, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const walls : {false, true}) {
+    for (DensityRule const density :
+         {DensityRule::summation, DensityRule::normalised, DensityRule::continuity}) {
+      Gas<Dim> gas(walls, density);
+      gas.follow();
+      BOOST_TEST(gas.searches() == 1u);
+      // A tenth of the smoothing length in all.
+      for (std::uint64_t n = 1; n <= 3; ++n) {
+        gas.move(0.033 * gas.h(), n);
+        gas.follow();
+        BOOST_TEST(gas.searches() == 1u);
+        BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(list_is_renewed_when_one_has_moved_further, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (double const distance : {0.0999, 0.1001}) {
+    Gas<Dim> gas(false, DensityRule::summation);
+    gas.follow();
+    Vector<Dim> const step = distance * gas.h() * Random(2).direction<Dim>();
+    gas.scene.particles.positions().add(7, step);
+    gas.follow();
+    BOOST_TEST(gas.searches() == (distance < 0.1 ? 1u : 2u));
+    BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+  }
+}
+
+// What is kept must be enough for whatever happens within the skin: all gather at one point.
+BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_that_come_within_the_support_are_in_the_list_already, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Gas<Dim> gas(false, DensityRule::summation);
+  gas.follow();
+  std::size_t const before = gas.geometry.geometry().neighbours.pairs();
+  auto& x = gas.scene.particles.positions();
+  for (std::size_t i = 0; i < x.size(); ++i) x.add(i, -0.099 * gas.h() * x[i].normalized());
+  gas.follow();
+  BOOST_TEST(gas.searches() == 1u);
+  BOOST_TEST(gas.geometry.geometry().neighbours.pairs() == before);
+  BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_step_across_a_periodic_boundary_is_a_short_one, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Gas<Dim> gas(false, DensityRule::summation);
+  auto& x = gas.scene.particles.positions();
+  Vector<Dim> at = x[0];
+  at[0] = -0.4999;
+  x.set(0, at);
+  gas.follow();
+  at[0] = 0.4999;
+  x.set(0, at);
+  gas.follow();
+  BOOST_TEST(gas.searches() == 1u);
+  BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+}
+
+BOOST_AUTO_TEST_CASE(fast_particles_have_no_skin_until_they_slow_down) {
+  Gas<2> gas(false, DensityRule::summation);
+  gas.follow();
+  auto const pairs = [&gas] { return static_cast<double>(gas.geometry.geometry().neighbours.pairs()); };
+  double const with_skin = pairs();
+  std::uint64_t searches = 1;
+  for (std::uint64_t n = 1; n <= 3; ++n) {
+    gas.move(0.2 * gas.h(), n);
+    gas.follow();
+    BOOST_TEST(gas.searches() == ++searches);
+    BOOST_TEST(pairs() < 0.95 * with_skin);
+  }
+  gas.follow();  // nothing has moved
+  BOOST_TEST(gas.searches() == searches);
+  gas.move(0.001 * gas.h(), 4);
+  gas.follow();
+  BOOST_TEST(gas.searches() == ++searches);
+  BOOST_TEST(pairs() > 0.95 * with_skin);
+  gas.move(0.001 * gas.h(), 5);
+  gas.follow();
+  BOOST_TEST(gas.searches() == searches);
+  BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(box_of_two_supports_leaves_no_room_for_a_skin, D, Dimensions) {
+  constexpr int Dim = D::value;
+  // Supports of 0.25 (room for all of the skin), just below 0.5 (for a part of it), 0.5 (for none).
+  for (double const support : {0.25, 0.48, 0.5}) {
+    if (Dim == 3 && support < 0.5) continue;
+    Gas<Dim> gas(false, DensityRule::summation, false, 0.5 * support * Gas<Dim>::side);
+    BOOST_CHECK_NO_THROW(gas.follow());
+    double const skin = std::min(0.1, 0.5 / support - 1.0);
+    for (std::uint64_t n = 1; n <= 2; ++n) {
+      gas.move(0.45 * skin * gas.h(), n);
+      gas.follow();
+      BOOST_TEST(gas.searches() == 1u);
+      BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+    }
+    if (skin < 0.01) continue;
+    gas.scene.particles.positions().add(3, 1.01 * skin * gas.h() * Vector<Dim>::Unit(0));
+    gas.move(0.1 * skin * gas.h(), 3);
+    gas.follow();
+    BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_renew_the_list_when_they_outgrow_it, D, Dimensions) {
+  constexpr int Dim = D::value;
+  // h_i = 1.2 (m_i/rho_i)^(1/Dim); the skin is a tenth of each.
+  for (double const growth : {0.9, 1.05, 1.09, 1.12, 1.5}) {
+    Gas<Dim> gas(false, DensityRule::continuity, true);
+    gas.follow();
+    double const before = gas.scene.particles.smoothing_lengths()[5];
+    gas.scene.particles.scalar(Field::density)[5] /= std::pow(growth, Dim);
+    gas.follow();
+    BOOST_TEST(gas.scene.particles.smoothing_lengths()[5] == growth * before,
+               boost::test_tools::tolerance(1e-13));
+    BOOST_TEST(gas.searches() == (growth < 1.1 ? 1u : 2u));
+    BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+  }
+  // Growth and movement share the skin.
+  Gas<Dim> gas(false, DensityRule::continuity, true);
+  gas.follow();
+  double const h = gas.scene.particles.smoothing_lengths()[5];
+  gas.scene.particles.scalar(Field::density)[5] /= std::pow(1.06, Dim);
+  gas.scene.particles.positions().add(5, 0.06 * h * Vector<Dim>::Unit(0));
+  gas.follow();
+  BOOST_TEST(gas.searches() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_that_follow_a_sum_solve_their_equation, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const walls : {false, true}) {
+    Gas<Dim> gas(walls, DensityRule::normalised, true);
+    gas.follow();
+    for (std::uint64_t n = 1; n <= 2; ++n) {
+      gas.move(0.02 * gas.h(), n);
+      gas.follow();
+      BOOST_TEST(gas.searches() == 1u);
+      BOOST_TEST(gas.deviation_from_a_new_list() < 1e-8);  // of an iteration that starts elsewhere
+      auto const& p = gas.scene.particles;
+      double worst = 0.0;
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        double const h = 1.2 * std::pow(p.masses()[i] / p.scalar(Field::density)[i], 1.0 / Dim);
+        worst = std::max(worst, std::abs(h / p.smoothing_lengths()[i] - 1.0));
+      }
+      BOOST_TEST(worst < 1e-9);
+    }
+  }
+}
+
+/// Density by a double loop, with a particle's own smoothing length.
+template <int Dim>
+std::vector<double> gathered_density(tests::Scene<Dim> const& scene) {
+  auto const& x = scene.particles.positions();
+  SmoothingLength const h(scene.particles);
+  std::vector<double> density(x.size(), 0.0);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      Vector<Dim> const r = scene.domain.nearest_image(x[i] - x[j]);
+      density[i] += scene.particles.masses()[j] * dense::kernel<Dim>(r.norm(), h(i));
+    }
+  }
+  return density;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(sums_for_the_density_are_dense_sums_on_an_old_list, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const adaptive : {false, true}) {
+    Gas<Dim> gas(false, DensityRule::summation, adaptive);
+    gas.follow();
+    gas.move(0.04 * gas.h(), 1);
+    gas.follow();
+    BOOST_TEST(gas.searches() == 1u);
+    BOOST_TEST(relative_difference(gas.scene.particles.scalar(Field::density), gathered_density(gas.scene)) <
+               (adaptive ? 1e-9 : round_off));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(contacts_are_found_anew_each_time_and_none_without_walls, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Gas<Dim> gas(true, DensityRule::continuity);
+  gas.follow();
+  double const before = gas.geometry.geometry().contacts[0].distance[0];
+  std::uint32_t const i = gas.geometry.geometry().contacts[0].particle[0];
+  gas.scene.particles.positions().add(i, 0.01 * gas.h() * Vector<Dim>::Unit(0));
+  gas.scene.walls[0].point[0] -= 0.02 * gas.h();
+  gas.follow();
+  BOOST_TEST(gas.searches() == 1u);
+  BOOST_TEST(gas.geometry.passes().at("wall-contacts") == 2u);
+  BOOST_TEST(gas.geometry.geometry().contacts[0].distance[0] == before + 0.03 * gas.h(),
+             boost::test_tools::tolerance(1e-10));
+
+  MovingGeometry<Dim> open(gas.scene.domain, gas.choice);
+  open.follow(gas.scene.particles, {}, gas.scene.walls);
+  BOOST_TEST(open.geometry().contacts.empty());
+  BOOST_TEST(!open.passes().contains("wall-contacts"));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(densities_that_are_integrated_are_left_alone, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const adaptive : {false, true}) {
+    Gas<Dim> gas(false, DensityRule::continuity, adaptive);
+    std::vector<double> const density = gas.scene.particles.scalar(Field::density);
+    gas.follow();
+    BOOST_TEST(same_bits(gas.scene.particles.scalar(Field::density), density));
+    BOOST_TEST(!gas.geometry.passes().contains("density-summation"));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(places_that_are_no_numbers_are_refused_even_with_a_list_at_hand, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  Gas<Dim> gas(false, DensityRule::summation);
+  gas.follow();
+  gas.scene.particles.positions().component(0)[3] = std::numeric_limits<double>::quiet_NaN();
+  BOOST_CHECK_THROW(gas.follow(), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(after_places_that_are_refused_those_before_are_followed_again, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const same_place : {false, true}) {
+    Gas<Dim> gas(false, DensityRule::summation);
+    gas.follow();
+    auto& x = gas.scene.particles.positions();
+    Vector<Dim> const before = x[3];
+    x.set(3,
+          same_place ? x[5] : Vector<Dim>(Vector<Dim>::Constant(std::numeric_limits<double>::quiet_NaN())));
+    BOOST_CHECK_THROW(gas.follow(), std::invalid_argument);
+    x.set(3, before);
+    gas.follow();
+    BOOST_TEST(gas.deviation_from_a_new_list() < round_off);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
+  constexpr int Dim = D::value;
+  auto const followed = [](int threads) {
+    Gas<Dim> gas(false, DensityRule::summation, false, 1.2, threads);
+    gas.follow();
+    return std::pair(gas.geometry.geometry().neighbours, gas.scene.particles.scalar(Field::density));
+  };
+  auto const [list, density] = followed(1);
+  for (int const threads : {2, 4}) {
+    auto const [other_list, other_density] = followed(threads);
+    BOOST_TEST((other_list.first == list.first));
+    BOOST_TEST((other_list.neighbour == list.neighbour));
+    BOOST_TEST(same_bits(other_density, density));
+  }
+}
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -98,6 +98,7 @@ FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan) const {
 template <int Dim>
 void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel,
                          std::vector<double*> const& out, void const* parameters) {
+  expects(terms_.size() < most_terms && out.size() <= most_components);
   RowTerm term{
       .sum = sum, .parameters = parameters, .components = static_cast<int>(out.size()), .outputs = {}};
   std::copy(out.begin(), out.end(), term.outputs.begin());

@@ -103,6 +103,17 @@ class Studies(BadInput):
         self.refuse_study(small_study(resolution=[20, 10]), "resolution[1]: found 10", "ascending")
         self.refuse_study(small_study(resolution=[10, 10]), "resolution[1]: found 10", "ascending")
 
+    def test_what_does_not_fit_into_memory_is_refused_with_what_it_would_take(self):
+        cube = small_study(cases=["conduction/cube"], resolution=[10, 100_000])
+        self.refuse_study(cube, "resolution: found 100000, which on conduction/cube is 1e+15 particles", "GB, expected")
+        growing = small_study(cases=["conduction/cube"], resolution=[10, 300], smoothing_exponent=[1])
+        self.refuse_study(growing, "resolution: found 300", "2.7e+07 particles", "GB")
+
+    def test_a_glass_needs_its_seed_and_nothing_else(self):
+        self.refuse_study(small_study(discretisation={"layout": "glass"}), "discretisation.layout", "seed")
+        layout = {"id": "glass", "seed": 1, "amplitude": 0.1}
+        self.refuse_study(small_study(discretisation={"layout": layout}), "discretisation.layout.amplitude")
+
     def test_a_parameter_of_the_wrong_type_is_refused(self):
         for case, name, value, shown in (
             ("conduction/slab-dirichlet", "final_time", "soon", "'soon'"),

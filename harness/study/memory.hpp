@@ -5,8 +5,8 @@
 
 namespace sphverify {
 
-/// About how many bytes a run holds at its peak: fields, neighbour list, what the integrator keeps. Within a
-/// factor of two of what runs were measured to take; meant to refuse what cannot be.
+/// About how many bytes a run holds at its peak: fields, neighbour list, what the integrator keeps. An
+/// estimate from what is allocated, not measured; meant to refuse what cannot be.
 /// @param smoothing_ratio h/dx at this resolution
 /// Throws std::invalid_argument for a layout that the problem's dimension does not have.
 double estimated_bytes(AnyProblem const& problem, LayoutChoice const& layout, int resolution,

@@ -14,7 +14,7 @@
 namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 
 /// Four numbers on which a scheme's formula works at once, lane by lane. Four serve every machine: one
-/// register with AVX2, two with SSE2 or NEON; eight were not faster where they fit.
+/// register with AVX2, two with SSE2 or NEON.
 struct Pack {
   typedef double Lanes __attribute__((vector_size(32)));
   typedef std::int64_t Mask __attribute__((vector_size(32)));

@@ -163,7 +163,7 @@ template <int Dim>
 std::vector<double> PairSweep<Dim>::conductances(void (*of_row)(Row const&, double*), FieldSet reads,
                                                  Particles<Dim> const& particles) {
   expects(particles.smoothing_lengths().empty());
-  wants_radial_ = true;
+  wants_radial_ = wants_separation_ = true;
   Records const records(reads, particles, nullptr, threads_);
   SweepPlan const sweep = plan(particles, records);
   std::vector<double> all(neighbours_.pairs());

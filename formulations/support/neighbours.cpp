@@ -103,7 +103,10 @@ class ListBuilder {
     for_each_particle([&](std::uint32_t i, Candidates const& all, double const* x, double reach, auto& row) {
       std::size_t const near = list.first[i + 1] - list.first[i];
       row.resize(std::max(row.size(), near + 4));
-      kernels.list_near(all, x, reach, row.data());
+      // Both looks must see the same: the one's rounding is the other's.
+      if (kernels.list_near(all, x, reach, row.data()) != near) {
+        throw std::logic_error("a neighbour list found other neighbours than it counted");
+      }
       std::copy_n(row.begin(), near, list.neighbour.begin() + static_cast<std::ptrdiff_t>(list.first[i]));
     });
     return list;

@@ -413,11 +413,12 @@ inline constexpr Compaction compaction{};
 #endif
 
 template <int Dim, bool own_reaches>
-SPHVERIFY_INLINE void list_candidates(Candidates const& all, double const* x, double reach,
-                                      std::uint32_t* out) {
+SPHVERIFY_INLINE std::size_t list_candidates(Candidates const& all, double const* x, double reach,
+                                             std::uint32_t* out) {
   Nearness<Dim, own_reaches> const to(all, x, reach);
   std::uint32_t const* const particle = all.particle;
   std::size_t const count = all.count;
+  std::uint32_t const* const start = out;
   for (std::size_t k = 0; k < count; k += Pack::size) {
     Pack::Mask const near = to.is_near(k, to.squared_distance(k));
 #if defined(__AVX2__)
@@ -434,12 +435,13 @@ SPHVERIFY_INLINE void list_candidates(Candidates const& all, double const* x, do
     }
 #endif
   }
+  return static_cast<std::size_t>(out - start);
 }
 
 template <int Dim>
-void list_near(Candidates const& all, double const* x, double reach, std::uint32_t* out) {
-  all.half_reach ? list_candidates<Dim, true>(all, x, reach, out)
-                 : list_candidates<Dim, false>(all, x, reach, out);
+std::size_t list_near(Candidates const& all, double const* x, double reach, std::uint32_t* out) {
+  return all.half_reach ? list_candidates<Dim, true>(all, x, reach, out)
+                        : list_candidates<Dim, false>(all, x, reach, out);
 }
 
 /// What a scheme of the list offers beside its rate.

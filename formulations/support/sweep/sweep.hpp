@@ -146,8 +146,8 @@ struct SweepKernels {
   /// How many candidates lie closer than reach to x, and how many of these at x.
   void (*count_near)(Candidates const& all, double const* x, double reach, std::size_t* near,
                      std::size_t* same_place);
-  /// Writes those closer to `out`, which has room for 4 more than there are.
-  void (*list_near)(Candidates const& all, double const* x, double reach, std::uint32_t* out);
+  /// Writes those closer to `out`, which has room for 4 more than there are; returns their number.
+  std::size_t (*list_near)(Candidates const& all, double const* x, double reach, std::uint32_t* out);
 };
 
 /// Doubles of scratch memory that a plan's rows need.

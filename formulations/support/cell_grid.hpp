@@ -37,6 +37,8 @@ class CellGrid {
   template <class Visit>
   void for_each_cell(std::size_t first_cell, std::size_t last_cell, Visit&& visit) const;
   std::size_t cells() const { return first_.size() - 1; }
+  /// Where a cell's particles begin in `particles()`; one more than the last cell gives their end.
+  std::uint32_t first_in_cell(std::size_t cell) const { return first_[cell]; }
   /// Particles sorted by cell.
   std::vector<std::uint32_t> const& particles() const { return particles_; }
 

@@ -14,14 +14,35 @@ namespace sphverify {
 
 namespace {
 
+/// What a search reads of every particle, in the order of the grid's cells, so that cells side by side are
+/// read at a stretch.
+template <int Dim>
+struct SortedParticles {
+  std::array<std::vector<double>, Dim> x;  ///< along the box's axes
+  std::vector<double> half_reach;          ///< where pairs have a reach of their own; else empty
+
+  SortedParticles(CellGrid<Dim> const& grid, std::vector<double> const& half_reach_of, int threads) {
+    std::size_t const n = grid.particles().size();
+    bool const turned = grid.domain().is_turned();
+    for (auto& along : x) along.resize(n);
+    half_reach.resize(half_reach_of.empty() ? 0 : n);
+    for_each_row(n, threads, [&](std::size_t s) {
+      std::uint32_t const i = grid.particles()[s];
+      Vector<Dim> const place = turned ? grid.domain().to_box(grid.positions()[i]) : grid.positions()[i];
+      for (int k = 0; k < Dim; ++k) x[static_cast<std::size_t>(k)][s] = place[k];
+      if (!half_reach.empty()) half_reach[s] = half_reach_of[i];
+    });
+  }
+};
+
 /// The particles of the cells around one, side by side and moved to the image that is near it.
 template <int Dim>
 class CandidateBuffer {
  public:
-  CandidateBuffer(CellGrid<Dim> const& grid, std::vector<double> const& half_reach)
-      : grid_(grid), half_reach_of_(half_reach), turned_(grid.domain().is_turned()) {}
+  CandidateBuffer(CellGrid<Dim> const& grid, SortedParticles<Dim> const& sorted)
+      : grid_(grid), sorted_(sorted) {}
 
-  /// @param begin, end the cell's own particles
+  /// @param begin where the cell's own particles begin
   void fill(std::uint32_t begin, std::vector<typename CellGrid<Dim>::Run> const& runs) {
     std::size_t total = 0;
     for (auto const& run : runs) total += run.end - run.begin;
@@ -29,30 +50,43 @@ class CandidateBuffer {
     count_ = 0;
     for (auto const& run : runs) {
       if (run.begin <= begin && begin < run.end && run.shift.isZero(0.0)) own_ = count_ + (begin - run.begin);
-      for (std::uint32_t s = run.begin; s < run.end; ++s) {
-        std::uint32_t const j = grid_.particles()[s];
-        Vector<Dim> x = grid_.positions()[j];
-        if (turned_) x = grid_.domain().to_box(x);
-        for (int k = 0; k < Dim; ++k) component(k)[count_] = x[k] + run.shift[k];
-        if (!half_reach_of_.empty()) half_reach()[count_] = half_reach_of_[j];
-        particle_[count_++] = j;
+      std::size_t const length = run.end - run.begin;
+      for (int k = 0; k < Dim; ++k) {
+        double const* const from = sorted_.x[static_cast<std::size_t>(k)].data() + run.begin;
+        double* const to = component(k) + count_;
+        double const shift = run.shift[k];
+        for (std::size_t n = 0; n < length; ++n) to[n] = from[n] + shift;
       }
+      if (!sorted_.half_reach.empty()) {
+        std::copy_n(sorted_.half_reach.data() + run.begin, length, half_reach() + count_);
+      }
+      std::copy_n(grid_.particles().data() + run.begin, length, particle_.data() + count_);
+      count_ += length;
     }
     for (; count_ % 4 != 0; ++count_) component(0)[count_] = far_away;
   }
 
-  /// Calls test(candidates, place, its part of the reach) for the cell's particle `n`, itself left out.
-  template <class Test>
-  void without(std::size_t n, double common_reach, Test const& test) {
+  /// Appends the candidates near the cell's particle `n`, itself left out.
+  /// @return how many are at its very place
+  bool append_near(std::size_t n, double common_reach, SweepKernels const& kernels,
+                   std::vector<std::uint32_t>& out, std::uint32_t* count) {
     std::size_t const self = own_ + n;
     std::array<double, Dim> x;
     for (int k = 0; k < Dim; ++k) x[static_cast<std::size_t>(k)] = component(k)[self];
     component(0)[self] = far_away;
-    Candidates all{.x = {}, .half_reach = nullptr, .particle = particle_.data(), .count = count_};
+    bool const own_reach = !sorted_.half_reach.empty();
+    Candidates all{.x = {},
+                   .half_reach = own_reach ? half_reach() : nullptr,
+                   .particle = particle_.data(),
+                   .count = count_};
     for (int k = 0; k < Dim; ++k) all.x[static_cast<std::size_t>(k)] = component(k);
-    if (!half_reach_of_.empty()) all.half_reach = half_reach();
-    test(all, x.data(), all.half_reach ? all.half_reach[self] : common_reach);
+    bool same_place = false;
+    std::size_t const near = kernels.list_near(all, x.data(), own_reach ? half_reach()[self] : common_reach,
+                                               near_.data(), &same_place);
     component(0)[self] = x[0];
+    out.insert(out.end(), near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(near));
+    *count = static_cast<std::uint32_t>(near);
+    return same_place;
   }
 
  private:
@@ -70,66 +104,81 @@ class CandidateBuffer {
     capacity_ = 2 * count;
     values_.assign((Dim + 1) * capacity_ + 4, 0.0);
     particle_.resize(capacity_);
+    near_.resize(capacity_ + 4);  // kernels write four at a time
   }
 
   CellGrid<Dim> const& grid_;
-  std::vector<double> const& half_reach_of_;
-  bool turned_;
+  SortedParticles<Dim> const& sorted_;
   std::vector<double> values_;
-  std::vector<std::uint32_t> particle_;
+  std::vector<std::uint32_t> particle_, near_;
   std::size_t capacity_ = 0, count_ = 0, own_ = 0;
 };
 
-/// Two looks at the candidates, one that counts and one that lists, cost less than a list that grows, and can
-/// be shared between threads.
+/// Looks once: each part of the grid lists its particles' neighbours for itself, and what it found is copied
+/// to its rows when the lengths of all are known. That costs less than to count first and then to list.
 template <int Dim>
 class ListBuilder {
  public:
   /// @param half_reach per particle, where pairs have a reach of their own; else empty
   ListBuilder(CellGrid<Dim> const& grid, std::vector<double> const& half_reach, int threads)
-      : grid_(grid), half_reach_(half_reach), threads_(threads) {}
+      : grid_(grid), sorted_(grid, half_reach, threads), threads_(threads) {}
 
   NeighbourList build(NeighbourList list) {
     std::size_t const n = grid_.particles().size();
-    SweepKernels const& kernels = sweep_kernels<Dim>();
+    std::size_t const parts = (grid_.cells() + cells_per_part - 1) / cells_per_part;
+    std::vector<std::vector<std::uint32_t>> found(parts);
+    std::vector<std::uint32_t> length(n);  // in the order of the cells, as what was found
+    for_each_part(parts, [&](std::size_t part) { search(part, found[part], length); });
+
     list.first.assign(n + 1, 0);
-    for_each_particle([&](std::uint32_t i, Candidates const& all, double const* x, double reach, auto&) {
-      std::size_t same_place = 0;
-      kernels.count_near(all, x, reach, &list.first[i + 1], &same_place);
-      if (same_place > 0) complain_of_same_place(i);
-    });
+    for (std::size_t s = 0; s < n; ++s) list.first[grid_.particles()[s] + 1] = length[s];
     for (std::size_t i = 0; i < n; ++i) list.first[i + 1] += list.first[i];
     list.neighbour.resize(list.first[n]);
-    for_each_particle([&](std::uint32_t i, Candidates const& all, double const* x, double reach, auto& row) {
-      std::size_t const near = list.first[i + 1] - list.first[i];
-      row.resize(std::max(row.size(), near + 4));
-      // Both looks must see the same: the one's rounding is the other's.
-      if (kernels.list_near(all, x, reach, row.data()) != near) {
-        throw std::logic_error("a neighbour list found other neighbours than it counted");
+    for_each_part(parts, [&](std::size_t part) {
+      auto from = found[part].begin();
+      for (std::uint32_t s = first_of(part); s < first_of(part + 1); ++s) {
+        auto const end = from + length[s];
+        std::copy(from, end,
+                  list.neighbour.begin() + static_cast<std::ptrdiff_t>(list.first[grid_.particles()[s]]));
+        from = end;
       }
-      std::copy_n(row.begin(), near, list.neighbour.begin() + static_cast<std::ptrdiff_t>(list.first[i]));
+      found[part] = {};
     });
     return list;
   }
 
  private:
-  /// Calls visit(i, candidates, place, its part of the reach, scratch) for every particle.
+  static constexpr std::size_t cells_per_part = 64;
+
+  /// Parts hold thousands of pairs each: every one is worth a task.
   template <class Visit>
-  void for_each_particle(Visit const& visit) const {
-    for_each_block(grid_.cells(), threads_, [&](std::size_t first_cell, std::size_t last_cell) {
-      CandidateBuffer<Dim> buffer(grid_, half_reach_);
-      std::vector<std::uint32_t> scratch;
-      grid_.for_each_cell(first_cell, last_cell,
-                          [&](std::uint32_t begin, std::uint32_t end, auto const& runs) {
-                            buffer.fill(begin, runs);
-                            for (std::uint32_t s = begin; s < end; ++s) {
-                              buffer.without(s - begin, grid_.reach(),
-                                             [&](Candidates const& all, double const* x, double reach) {
-                                               visit(grid_.particles()[s], all, x, reach, scratch);
-                                             });
-                            }
-                          });
-    });
+  void for_each_part(std::size_t parts, Visit const& visit) const {
+    for_each_block(
+        parts, threads_,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t part = begin; part < end; ++part) visit(part);
+        },
+        1);
+  }
+
+  /// Where a part's particles begin in the order of the cells.
+  std::uint32_t first_of(std::size_t part) const {
+    return grid_.first_in_cell(std::min(part * cells_per_part, grid_.cells()));
+  }
+
+  void search(std::size_t part, std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& length) const {
+    SweepKernels const& kernels = sweep_kernels<Dim>();
+    CandidateBuffer<Dim> candidates(grid_, sorted_);
+    std::size_t const end_cell = std::min((part + 1) * cells_per_part, grid_.cells());
+    grid_.for_each_cell(
+        part * cells_per_part, end_cell, [&](std::uint32_t begin, std::uint32_t end, auto const& runs) {
+          candidates.fill(begin, runs);
+          for (std::uint32_t s = begin; s < end; ++s) {
+            if (candidates.append_near(s - begin, grid_.reach(), kernels, found, &length[s])) {
+              complain_of_same_place(grid_.particles()[s]);
+            }
+          }
+        });
   }
 
   [[noreturn]] void complain_of_same_place(std::uint32_t i) const {
@@ -143,7 +192,7 @@ class ListBuilder {
   }
 
   CellGrid<Dim> const& grid_;
-  std::vector<double> const& half_reach_;
+  SortedParticles<Dim> sorted_;
   int threads_;
 };
 

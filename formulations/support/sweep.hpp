@@ -10,16 +10,16 @@ namespace sphverify {
 
 /// Calls block(begin, end) for parts of [0, count) that together are all of it. With several threads each
 /// part is still the work of one, so that results do not depend on their number.
+/// @param least how many are worth a task of their own
 template <class Block>
-void for_each_block(std::size_t count, int threads, Block const& block) {
-  constexpr std::size_t rows_per_block = 1024;
+void for_each_block(std::size_t count, int threads, Block const& block, std::size_t least = 1024) {
   if (threads <= 1) {
     if (count > 0) block(std::size_t{0}, count);
     return;
   }
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, rows_per_block),
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least),
                       [&](auto const& rows) { block(rows.begin(), rows.end()); });
   });
 }

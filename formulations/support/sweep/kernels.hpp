@@ -372,28 +372,6 @@ struct Nearness {
   }
 };
 
-template <int Dim, bool own_reaches>
-SPHVERIFY_INLINE void count_candidates(Candidates const& all, double const* x, double reach,
-                                       std::size_t* near, std::size_t* same_place) {
-  Nearness<Dim, own_reaches> const to(all, x, reach);
-  Pack::Mask within{};
-  Pack::Mask at{};
-  for (std::size_t k = 0; k < all.count; k += Pack::size) {
-    Pack const squared = to.squared_distance(k);
-    within -= to.is_near(k, squared);  // a lane that is true is -1
-    at -= squared.lanes == Pack(0.0).lanes;
-  }
-  *near = static_cast<std::size_t>(within[0] + within[1] + within[2] + within[3]);
-  *same_place = static_cast<std::size_t>(at[0] + at[1] + at[2] + at[3]);
-}
-
-template <int Dim>
-void count_near(Candidates const& all, double const* x, double reach, std::size_t* near,
-                std::size_t* same_place) {
-  all.half_reach ? count_candidates<Dim, true>(all, x, reach, near, same_place)
-                 : count_candidates<Dim, false>(all, x, reach, near, same_place);
-}
-
 #if defined(__AVX2__)
 /// For every set of lanes, how to move them to the front.
 struct Compaction {
@@ -414,13 +392,16 @@ inline constexpr Compaction compaction{};
 
 template <int Dim, bool own_reaches>
 SPHVERIFY_INLINE std::size_t list_candidates(Candidates const& all, double const* x, double reach,
-                                             std::uint32_t* out) {
+                                             std::uint32_t* out, bool* same_place) {
   Nearness<Dim, own_reaches> const to(all, x, reach);
   std::uint32_t const* const particle = all.particle;
   std::size_t const count = all.count;
   std::uint32_t const* const start = out;
+  Pack::Mask at{};
   for (std::size_t k = 0; k < count; k += Pack::size) {
-    Pack::Mask const near = to.is_near(k, to.squared_distance(k));
+    Pack const squared = to.squared_distance(k);
+    Pack::Mask const near = to.is_near(k, squared);
+    at |= squared.lanes == Pack(0.0).lanes;
 #if defined(__AVX2__)
     unsigned const set = static_cast<unsigned>(_mm256_movemask_pd(reinterpret_cast<__m256d>(near)));
     __m128i const four = _mm_loadu_si128(reinterpret_cast<__m128i const*>(particle + k));
@@ -435,13 +416,15 @@ SPHVERIFY_INLINE std::size_t list_candidates(Candidates const& all, double const
     }
 #endif
   }
+  *same_place = (at[0] | at[1] | at[2] | at[3]) != 0;
   return static_cast<std::size_t>(out - start);
 }
 
 template <int Dim>
-std::size_t list_near(Candidates const& all, double const* x, double reach, std::uint32_t* out) {
-  return all.half_reach ? list_candidates<Dim, true>(all, x, reach, out)
-                        : list_candidates<Dim, false>(all, x, reach, out);
+std::size_t list_near(Candidates const& all, double const* x, double reach, std::uint32_t* out,
+                      bool* same_place) {
+  return all.half_reach ? list_candidates<Dim, true>(all, x, reach, out, same_place)
+                        : list_candidates<Dim, false>(all, x, reach, out, same_place);
 }
 
 /// What a scheme of the list offers beside its rate.
@@ -510,7 +493,6 @@ constexpr SweepKernels make_kernels(std::tuple<Schemes...> const* list, char con
           .conductance = {conductance_or_none<Schemes, Dim>()...},
           .conductances = conductances<Dim>,
           .conduct = conduct,
-          .count_near = count_near<Dim>,
           .list_near = list_near<Dim>};
 }
 

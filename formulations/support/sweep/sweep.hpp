@@ -143,11 +143,10 @@ struct SweepKernels {
   /// rate_i = sum_j c_ij (T_i - T_j) for rows begin to end.
   void (*conduct)(std::size_t const* first, std::uint32_t const* neighbour, double const* conductance,
                   double const* temperature, std::size_t begin, std::size_t end, double* rate);
-  /// How many candidates lie closer than reach to x, and how many of these at x.
-  void (*count_near)(Candidates const& all, double const* x, double reach, std::size_t* near,
-                     std::size_t* same_place);
-  /// Writes those closer to `out`, which has room for 4 more than there are; returns their number.
-  std::size_t (*list_near)(Candidates const& all, double const* x, double reach, std::uint32_t* out);
+  /// Writes the candidates that lie closer than reach to x to `out`, which has room for 4 more than there
+  /// are; returns their number, and whether one of them is at x.
+  std::size_t (*list_near)(Candidates const& all, double const* x, double reach, std::uint32_t* out,
+                           bool* same_place);
 };
 
 /// Doubles of scratch memory that a plan's rows need.

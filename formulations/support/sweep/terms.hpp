@@ -98,8 +98,8 @@ struct ViscosityTerm {
     // Beyond the support nothing rubs; a list may hold pairs that are not near yet.
     Pack const approach =
         select(r < Pack(CubicSpline<Dim>::support_ratio) * h, v_ij.dot(W.separation()), 0.0);
-    Pack const mu = MonaghanViscosity::mu(approach, r * r, h);
-    Pack const Pi = law.pressure(mu, Pack(0.5) * (i.c() + j.c()), Pack(0.5) * (i.rho() + j.rho()));
+    auto const [mu, Pi] =
+        law.pair(approach, r * r, h, Pack(0.5) * (i.c() + j.c()), Pack(0.5) * (i.rho() + j.rho()));
     auto const push = (j.m() * Pi) * W.gradient();
     acceleration = acceleration - push;
     heating += Pack(0.5) * v_ij.dot(push);

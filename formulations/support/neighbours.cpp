@@ -66,10 +66,14 @@ class CandidateBuffer {
     for (; count_ % 4 != 0; ++count_) component(0)[count_] = far_away;
   }
 
-  /// Appends the candidates near the cell's particle `n`, itself left out.
-  /// @return how many are at its very place
-  bool append_near(std::size_t n, double common_reach, SweepKernels const& kernels,
-                   std::vector<std::uint32_t>& out, std::uint32_t* count) {
+  std::size_t count() const { return count_; }
+
+  /// Lists the candidates near the cell's particle `n`, itself left out.
+  /// @param out has room for count() + 4
+  /// @param same_place receives whether one of them is at its very place
+  /// @return how many are near
+  std::size_t list_near(std::size_t n, double common_reach, SweepKernels const& kernels, std::uint32_t* out,
+                        bool* same_place) {
     std::size_t const self = own_ + n;
     std::array<double, Dim> x;
     for (int k = 0; k < Dim; ++k) x[static_cast<std::size_t>(k)] = component(k)[self];
@@ -80,13 +84,10 @@ class CandidateBuffer {
                    .particle = particle_.data(),
                    .count = count_};
     for (int k = 0; k < Dim; ++k) all.x[static_cast<std::size_t>(k)] = component(k);
-    bool same_place = false;
-    std::size_t const near = kernels.list_near(all, x.data(), own_reach ? half_reach()[self] : common_reach,
-                                               near_.data(), &same_place);
+    std::size_t const near =
+        kernels.list_near(all, x.data(), own_reach ? half_reach()[self] : common_reach, out, same_place);
     component(0)[self] = x[0];
-    out.insert(out.end(), near_.begin(), near_.begin() + static_cast<std::ptrdiff_t>(near));
-    *count = static_cast<std::uint32_t>(near);
-    return same_place;
+    return near;
   }
 
  private:
@@ -104,14 +105,58 @@ class CandidateBuffer {
     capacity_ = 2 * count;
     values_.assign((Dim + 1) * capacity_ + 4, 0.0);
     particle_.resize(capacity_);
-    near_.resize(capacity_ + 4);  // kernels write four at a time
   }
 
   CellGrid<Dim> const& grid_;
   SortedParticles<Dim> const& sorted_;
   std::vector<double> values_;
-  std::vector<std::uint32_t> particle_, near_;
+  std::vector<std::uint32_t> particle_;
   std::size_t capacity_ = 0, count_ = 0, own_ = 0;
+};
+
+/// Finds the neighbours of the particles of some cells, with memory that is used again for others.
+template <int Dim>
+class Search {
+ public:
+  Search(CellGrid<Dim> const& grid, SortedParticles<Dim> const& sorted)
+      : grid_(grid), kernels_(sweep_kernels<Dim>()), candidates_(grid, sorted) {}
+
+  /// @param length receives how many neighbours each particle has, in the order of the cells
+  /// @return the neighbours themselves, one particle's after the other's
+  std::vector<std::uint32_t> operator()(std::size_t first_cell, std::size_t end_cell,
+                                        std::vector<std::uint32_t>& length) {
+    std::size_t used = 0;
+    grid_.for_each_cell(first_cell, end_cell, [&](std::uint32_t begin, std::uint32_t end, auto const& runs) {
+      candidates_.fill(begin, runs);
+      std::size_t const most = used + (end - begin) * candidates_.count() + 4;
+      if (rows_.size() < most) rows_.resize(2 * most);
+      for (std::uint32_t s = begin; s < end; ++s) {
+        bool same_place = false;
+        std::size_t const near =
+            candidates_.list_near(s - begin, grid_.reach(), kernels_, rows_.data() + used, &same_place);
+        if (same_place) complain_of_same_place(grid_.particles()[s]);
+        length[s] = static_cast<std::uint32_t>(near);
+        used += near;
+      }
+    });
+    return {rows_.begin(), rows_.begin() + static_cast<std::ptrdiff_t>(used)};
+  }
+
+ private:
+  [[noreturn]] void complain_of_same_place(std::uint32_t i) const {
+    std::uint32_t other = i;
+    grid_.for_each_within_reach(grid_.positions()[i],
+                                [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+                                  if (j != i && distance == 0.0) other = j;
+                                });
+    throw std::invalid_argument("particles " + std::to_string(std::min(i, other)) + " and " +
+                                std::to_string(std::max(i, other)) + " are at the same place");
+  }
+
+  CellGrid<Dim> const& grid_;
+  SweepKernels const& kernels_;
+  CandidateBuffer<Dim> candidates_;
+  std::vector<std::uint32_t> rows_;
 };
 
 /// Looks once: each part of the grid lists its particles' neighbours for itself, and what it found is copied
@@ -128,67 +173,45 @@ class ListBuilder {
     std::size_t const parts = (grid_.cells() + cells_per_part - 1) / cells_per_part;
     std::vector<std::vector<std::uint32_t>> found(parts);
     std::vector<std::uint32_t> length(n);  // in the order of the cells, as what was found
-    for_each_part(parts, [&](std::size_t part) { search(part, found[part], length); });
+    for_each_block(
+        parts, threads_,
+        [&](std::size_t begin, std::size_t end) {
+          Search<Dim> search(grid_, sorted_);
+          for (std::size_t part = begin; part < end; ++part) {
+            found[part] = search(part * cells_per_part, end_of(part), length);
+          }
+        },
+        parts_per_task);
 
     list.first.assign(n + 1, 0);
     for (std::size_t s = 0; s < n; ++s) list.first[grid_.particles()[s] + 1] = length[s];
     for (std::size_t i = 0; i < n; ++i) list.first[i + 1] += list.first[i];
     list.neighbour.resize(list.first[n]);
-    for_each_part(parts, [&](std::size_t part) {
-      auto from = found[part].begin();
-      for (std::uint32_t s = first_of(part); s < first_of(part + 1); ++s) {
-        auto const end = from + length[s];
-        std::copy(from, end,
-                  list.neighbour.begin() + static_cast<std::ptrdiff_t>(list.first[grid_.particles()[s]]));
-        from = end;
-      }
-      found[part] = {};
-    });
+    for_each_block(
+        parts, threads_,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t part = begin; part < end; ++part) {
+            auto from = found[part].begin();
+            for (std::uint32_t s = first_of(part); s < first_of(part + 1); ++s) {
+              std::size_t const to = list.first[grid_.particles()[s]];
+              std::copy_n(from, length[s], list.neighbour.begin() + static_cast<std::ptrdiff_t>(to));
+              from += length[s];
+            }
+            found[part] = {};
+          }
+        },
+        parts_per_task);
     return list;
   }
 
  private:
   static constexpr std::size_t cells_per_part = 64;
+  static constexpr std::size_t parts_per_task = 8;
 
-  /// Parts hold thousands of pairs each: every one is worth a task.
-  template <class Visit>
-  void for_each_part(std::size_t parts, Visit const& visit) const {
-    for_each_block(
-        parts, threads_,
-        [&](std::size_t begin, std::size_t end) {
-          for (std::size_t part = begin; part < end; ++part) visit(part);
-        },
-        1);
-  }
-
+  std::size_t end_of(std::size_t part) const { return std::min((part + 1) * cells_per_part, grid_.cells()); }
   /// Where a part's particles begin in the order of the cells.
   std::uint32_t first_of(std::size_t part) const {
     return grid_.first_in_cell(std::min(part * cells_per_part, grid_.cells()));
-  }
-
-  void search(std::size_t part, std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& length) const {
-    SweepKernels const& kernels = sweep_kernels<Dim>();
-    CandidateBuffer<Dim> candidates(grid_, sorted_);
-    std::size_t const end_cell = std::min((part + 1) * cells_per_part, grid_.cells());
-    grid_.for_each_cell(
-        part * cells_per_part, end_cell, [&](std::uint32_t begin, std::uint32_t end, auto const& runs) {
-          candidates.fill(begin, runs);
-          for (std::uint32_t s = begin; s < end; ++s) {
-            if (candidates.append_near(s - begin, grid_.reach(), kernels, found, &length[s])) {
-              complain_of_same_place(grid_.particles()[s]);
-            }
-          }
-        });
-  }
-
-  [[noreturn]] void complain_of_same_place(std::uint32_t i) const {
-    std::uint32_t other = i;
-    grid_.for_each_within_reach(grid_.positions()[i],
-                                [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-                                  if (j != i && distance == 0.0) other = j;
-                                });
-    throw std::invalid_argument("particles " + std::to_string(std::min(i, other)) + " and " +
-                                std::to_string(std::max(i, other)) + " are at the same place");
   }
 
   CellGrid<Dim> const& grid_;

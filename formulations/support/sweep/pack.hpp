@@ -88,6 +88,9 @@ SPHVERIFY_INLINE Pack integer_power(Pack x) {
   }
 }
 
+template <int Dim>
+struct RadialVector;
+
 /// Four vectors. Has of Eigen's interface what the schemes use.
 template <int Dim>
 struct PackVector {
@@ -99,6 +102,7 @@ struct PackVector {
     for (int k = 1; k < Dim; ++k) sum += component[k] * b.component[k];
     return sum;
   }
+  Pack dot(RadialVector<Dim> const& b) const;
   SPHVERIFY_INLINE Pack squaredNorm() const { return dot(*this); }
 
   SPHVERIFY_INLINE friend PackVector operator+(PackVector a, PackVector const& b) {
@@ -116,5 +120,20 @@ struct PackVector {
   SPHVERIFY_INLINE friend PackVector operator/(PackVector a, Divisor s) { return s.inverse * a; }
   SPHVERIFY_INLINE PackVector& operator+=(PackVector const& b) { return *this = *this + b; }
 };
+
+/// Four vectors along four others: `along` times `r`, multiplied out as late as can be. All that a row sums
+/// points along r_ij, and v.r_ij is then one number that every term of a sweep shares.
+template <int Dim>
+struct RadialVector {
+  Pack along;
+  PackVector<Dim> r;
+
+  SPHVERIFY_INLINE PackVector<Dim> eval() const { return along * r; }
+  SPHVERIFY_INLINE friend RadialVector operator*(Pack s, RadialVector a) { return {s * a.along, a.r}; }
+};
+template <int Dim>
+SPHVERIFY_INLINE Pack PackVector<Dim>::dot(RadialVector<Dim> const& b) const {
+  return b.along * dot(b.r);
+}
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

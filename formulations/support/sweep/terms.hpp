@@ -101,7 +101,7 @@ struct ViscosityTerm {
     auto const [mu, Pi] =
         law.pair(approach, r * r, h, Pack(0.5) * (i.c() + j.c()), Pack(0.5) * (i.rho() + j.rho()));
     auto const push = (j.m() * Pi) * W.gradient();
-    acceleration = acceleration - push;
+    acceleration = acceleration - push.eval();
     heating += Pack(0.5) * v_ij.dot(push);
     largest = max(largest, -mu);
   }

@@ -69,8 +69,8 @@ class KernelColumns {
     }
     return value;
   }
-  SPHVERIFY_INLINE PackVector<Dim> gradient() const { return radial() * separation(); }  ///< grad_i W_ij
-  SPHVERIFY_INLINE Pack h() const {                                                      ///< of the pair
+  SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {radial(), separation()}; }  ///< grad_i W_ij
+  SPHVERIFY_INLINE Pack h() const {                                                         ///< of the pair
     if (row_.slots.h < 0) return row_.h;
     return Pack(0.5) * (Pack(row_.h) + ReadColumns{row_.columns + k_}(row_.slots.h));
   }
@@ -91,7 +91,7 @@ struct KernelRegisters {
   SPHVERIFY_INLINE Pack radial() const { return slope; }
   SPHVERIFY_INLINE Pack distance() const { return length; }
   SPHVERIFY_INLINE PackVector<Dim> separation() const { return r; }
-  SPHVERIFY_INLINE PackVector<Dim> gradient() const { return slope * r; }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
   SPHVERIFY_INLINE Pack h() const { return common_h; }
   SPHVERIFY_INLINE double own_h() const { return common_h; }
 };

@@ -13,6 +13,12 @@
 #include "cases/coupled/conducting_shock.hpp"
 #include "cases/coupled/hot_wall.hpp"
 #include "cases/coupled/manufactured.hpp"
+#include "cases/extreme/cold_front.hpp"
+#include "cases/extreme/conductivity_contrast.hpp"
+#include "cases/extreme/density_contrast.hpp"
+#include "cases/extreme/pressure_ratio.hpp"
+#include "cases/extreme/radiative_wall.hpp"
+#include "cases/extreme/units.hpp"
 #include "cases/hydro/acoustic.hpp"
 #include "cases/hydro/gresho.hpp"
 #include "cases/hydro/manufactured.hpp"
@@ -37,6 +43,8 @@ using AllCases = std::tuple<OperatorPolynomial, OperatorSine,                   
                             UniformGas, ManufacturedGas, AcousticWave, SimpleWavePiston,                    //
                             PistonOfVelocity, PistonOfPressure, RiemannProblem, NohProblem, VacuumRelease,  //
                             SedovExplosion, GreshoVortex,                                                   //
-                            ManufacturedConductingGas, HotWallGas, ConductingShockWave>;
+                            ManufacturedConductingGas, HotWallGas, ConductingShockWave,                     //
+                            PressureRatio, DensityContrast, ConductivityContrast, ColdFront,                //
+                            ConductionUnits, GasUnits, RadiativeWall>;
 
 }  // namespace sphverify

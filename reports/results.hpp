@@ -22,7 +22,7 @@ struct Context {
 
 struct LayoutChoice {
   std::string id;          ///< lattice, jittered, glass, ...
-  double amplitude = 0.0;  ///< of the displacement, in particle spacings
+  double amplitude = 0.0;  ///< of the displacement; of clumped the separation, of touching the gap; [dx]
   std::uint64_t seed = 0;  ///< of a layout that is drawn by lot
   bool operator==(LayoutChoice const&) const = default;
 };
@@ -94,12 +94,53 @@ struct Cost {
   std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0, peak_bytes = 0;
 };
 
+/// A mode of a linearised rate, and where and how short it is.
+struct Mode {
+  double growth = 0.0, frequency = 0.0;  ///< real and imaginary part of its eigenvalue [1/s]
+  Number wavelength;                     ///< [dx]; empty for a mode that is the same everywhere
+  Number wall_share;                     ///< part of its squared amplitude within 2h of a wall
+  std::vector<double> centre;            ///< of its squared amplitude [m]
+};
+
+/// The longest step that a method can take for ever.
+struct StableStep {
+  Number theory;       ///< from the spectrum and the method's stability polynomial [s]
+  Number measured;     ///< by bisection on steps of the method itself [s]; empty unless asked for
+  std::string remark;  ///< why a number is missing
+};
+
 struct Stability {
   Number spectral_abscissa;    ///< largest real part of an eigenvalue of the linearised rate [1/s]
   Number spectral_radius;      ///< largest modulus [1/s]
+  Number largest_imaginary;    ///< largest imaginary part [1/s]
   Number largest_stable_step;  ///< of explicit Euler by theory [s]; empty where a mode grows
   std::optional<std::uint64_t> growing_modes;
-  std::string remark;  ///< why a number is missing
+  std::optional<std::uint64_t> unseen_modes;  ///< dimension of the rate's kernel: what it does not see
+  std::string method;                         ///< `dense`, or `arnoldi` for few eigenvalues of many
+  std::optional<Mode> worst_mode;             ///< the one of the largest real part
+  std::map<std::string, StableStep> stable_steps;
+  std::vector<Mode> modes;  ///< all, of a gas about rest; only if the spectrum is asked for
+  std::string remark;       ///< why a number is missing
+};
+
+/// Where the second law, or the maximum principle that follows from it, was broken most.
+struct Breach {
+  double size = 0.0;
+  double time = 0.0;             ///< [s]
+  std::vector<double> position;  ///< of the particle [m]
+};
+
+/// Whether heat conduction without sources kept the second law.
+struct SecondLaw {
+  /// Largest excess of a temperature above, or below, all that the initial state and the walls held till
+  /// then, relative to their range.
+  Breach overshoot, undershoot;
+  /// Largest heating of a particle that was at least as hot as all around it (or cooling of one at most as
+  /// warm), as a part of the largest heating anywhere at the time: heat that flowed from cold to hot.
+  Breach cold_to_hot;
+  Number smallest_entropy_production;  ///< relative to sum m |q|/T at the time; empty if a wall's temperature
+                                       ///< is not known
+  std::string remark;                  ///< why a number is missing
 };
 
 /// How time was integrated and what of the error is its fault.
@@ -135,7 +176,8 @@ struct Motion {
   std::map<std::string, std::uint64_t> steps_bound_by;  ///< step limit -> steps that it bound
   Number smallest_step, largest_step;                   ///< [s]
   double lowest_density = 0.0, lowest_pressure = 0.0;   ///< of any particle after any step
-  Number volume_defect;  ///< volume between the walls less the sum of m/rho, as a part of that sum; none without walls all round
+  Number volume_defect;  ///< volume between the walls less the sum of m/rho, as a part of that sum; none
+                         ///< without walls all round
   Number wall_heating;   ///< relative error of the internal energy nearest a wall, the largest; at shocks
   Number energy_routes;  ///< l2 difference of internal energy to the same run with the other work form,
                          ///< relative to its l2 norm; if asked for
@@ -182,6 +224,7 @@ struct RunRecord {
   std::vector<WallFlux> wall_flux;
   std::optional<Cost> cost;
   std::optional<Stability> stability;
+  std::optional<SecondLaw> second_law;
   std::optional<Integration> integration;
   std::optional<Number> smallest_face_weight;  ///< reported for `balanced`
   std::optional<Profile> profile;
@@ -239,6 +282,23 @@ struct Skipped {
   std::string case_id, formulation, reason;
 };
 
+/// How far a parameter can be driven before a run breaks.
+struct Envelope {
+  struct Point {
+    double value;
+    std::string status;
+  };
+  std::string case_id, label, parameter;
+  std::map<std::string, ParameterValue> parameters;  ///< the others
+  FormulationChoice formulation;
+  Discretisation discretisation;
+  int resolution = 0;
+  bool logarithmic = false;
+  Number held, failed;         ///< the last value that held and the first that failed, as near as was tried
+  std::string status, reason;  ///< of the failure
+  std::vector<Point> points;   ///< as tried
+};
+
 /// The whole document. The study is kept as it was run, defaults filled in, in the form of the document.
 struct Results {
   Context context;
@@ -246,6 +306,7 @@ struct Results {
   std::vector<RunRecord> runs;
   std::vector<Series> series;
   std::vector<Skipped> skipped;
+  std::vector<Envelope> envelopes;
 };
 
 }  // namespace sphverify

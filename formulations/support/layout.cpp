@@ -93,10 +93,6 @@ Layout<Dim> lattice(Domain<Dim> const& domain, int resolution) {
   return layout;
 }
 
-namespace {
-
-/// Half the distance between a particle's two neighbours, the domain's ends taking the place of a missing
-/// one.
 void set_voronoi_volumes(Layout<1>& layout, Domain<1> const& domain) {
   auto const& x = layout.positions.component(0);
   std::size_t const n = x.size();
@@ -112,8 +108,6 @@ void set_voronoi_volumes(Layout<1>& layout, Domain<1> const& domain) {
     left = right;
   }
 }
-
-}  // namespace
 
 template <int Dim>
 Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude, std::uint64_t seed) {

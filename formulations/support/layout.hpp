@@ -20,8 +20,9 @@ struct Layout {
 };
 
 // Every layout has a `resolution` N, and particles of about the volume of a cube with the edge extent[0]/N.
-// For `lattice`, `jittered` and `equal_mass` the spacing is extent[0]/N; for the others it is the edge of the
-// cube that has one particle's volume, so that one ratio h/dx means the same number of neighbours everywhere.
+// For `lattice`, those displaced from it and `equal_mass` the spacing is extent[0]/N; for the others it is
+// the edge of the cube that has one particle's volume, so that one ratio h/dx means the same number of
+// neighbours everywhere.
 
 /// Particles in a lattice at the centres of equal cells, `resolution` along the first axis; along the others
 /// as many as make the cells most nearly cubic.
@@ -37,6 +38,18 @@ Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<doub
 /// 0.5.
 template <int Dim>
 Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude, std::uint64_t seed);
+
+/// The lattice with neighbours along the first axis moved together in pairs, each about its middle, until
+/// they are `separation` cells apart; with an odd number of them the last one stays. Volumes as of
+/// `jittered`. Expects 0 < separation <= 1.
+template <int Dim>
+Layout<Dim> clumped(Domain<Dim> const& domain, int resolution, double separation);
+
+/// The lattice with the first particle of every row along the first axis moved to `gap` cells from the lower
+/// side. Volumes as of `jittered`. Expects 0 < gap <= 0.5, and a gap that the lower side's coordinate can be
+/// told from.
+template <int Dim>
+Layout<Dim> touching(Domain<Dim> const& domain, int resolution, double gap);
 
 /// Rows of a triangular lattice along the first axis, every second one shifted by half a spacing, stretched
 /// to fit the box. The first and last particles of the rows, and the rows along the walls, are as far from
@@ -58,7 +71,8 @@ Layout<3> close_packed(Domain<3> const& domain, int resolution);
 template <int Dim>
 Layout<Dim> glass(Domain<Dim> const& domain, int resolution, std::uint64_t seed);
 
-/// How many particles `lattice` (and `jittered`, `glass`), `hexagonal` and `close_packed` would place.
+/// How many particles `lattice` (and `jittered`, `clumped`, `touching`, `glass`), `hexagonal` and
+/// `close_packed` would place.
 template <int Dim>
 double lattice_count(Domain<Dim> const& domain, int resolution);
 double hexagonal_count(Domain<2> const& domain, int resolution);

@@ -36,6 +36,10 @@ double edge_of_cube(double volume, double upper_bound) {
   }
 }
 
+/// Makes volumes Voronoi's: half the distance between a particle's two neighbours, the domain's ends taking
+/// the place of a missing one. Expects particles in ascending order.
+void set_voronoi_volumes(Layout<1>& layout, Domain<1> const& domain);
+
 /// Gives every particle the same part of the box, and the layout the spacing that belongs to it.
 template <int Dim>
 void share_volume_equally(Layout<Dim>& layout, Domain<Dim> const& domain) {

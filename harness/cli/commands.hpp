@@ -14,7 +14,10 @@ inline constexpr int exit_program_error = 3;
 void add_list(CLI::App& app);
 void add_describe(CLI::App& app);
 void add_study(CLI::App& app);
+void add_repeat(CLI::App& app);
 void add_compare(CLI::App& app);
+void add_gate(CLI::App& app);
+void add_report(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_exact(CLI::App& app);
 

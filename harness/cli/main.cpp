@@ -6,6 +6,7 @@
 #include <new>
 
 #include "harness/cli/commands.hpp"
+#include "harness/gate/gates.hpp"
 #include "harness/run/run.hpp"
 #include "harness/study/context.hpp"
 #include "reports/user_error.hpp"
@@ -43,6 +44,8 @@ int main(int argc, char** argv) {
       "  sphverify describe conduction/brookshaw\n"
       "  sphverify study cases/studies/conduction-walls-1d.json -o results.json\n"
       "  sphverify compare results.json\n"
+      "  sphverify gate results.json gates.json --junit gates.xml\n"
+      "  sphverify report results.json -o report.html\n"
       "Exit status: 0 done, 1 a gate failed, 2 wrong input, 3 the program or the machine failed.");
   app.require_subcommand(1);
   app.set_version_flag("--version", [] {
@@ -52,7 +55,10 @@ int main(int argc, char** argv) {
   add_list(app);
   add_describe(app);
   add_study(app);
+  add_repeat(app);
   add_compare(app);
+  add_gate(app);
+  add_report(app);
   add_evaluate(app);
   add_exact(app);
 
@@ -63,6 +69,8 @@ int main(int argc, char** argv) {
   } catch (CLI::ParseError const& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
     return complain(exit_user_error, fmt::format("{} (see sphverify --help)", error.what()));
+  } catch (GateFailed const&) {
+    return exit_gate_failed;
   } catch (UserError const& error) {
     return complain(exit_user_error, error.what());
   } catch (Interrupted const&) {

@@ -57,7 +57,8 @@ struct OdeResult {
 };
 
 /// Implicit backward differentiation formulas of variable order and step (SUNDIALS CVODES) with a sparse
-/// direct solver (KLU) or, without a Jacobian, GMRES. Linear invariants of the rate are kept to the solver's tolerance.
+/// direct solver (KLU) or, without a Jacobian, GMRES. Linear invariants of the rate are kept to the solver's
+/// tolerance.
 OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double final_time,
                         Tolerances tolerances);
 
@@ -65,6 +66,18 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
 /// Asks for a quadrature only right after the rate at the same state.
 OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time,
                                 Tolerances tolerances);
+
+/// Explicit Runge-Kutta-Chebyshev of order 2 (Sommeijer, Shampine & Verwer, J. Comput. Appl. Math. 88 (1998)
+/// 315), for stiff rates whose eigenvalues lie near the negative real axis: s stages reach 0.65 s^2 over the
+/// spectral radius, which is measured on the way. Adaptive in step and stages.
+OdeResult integrate_chebyshev(OdeSystem const& system, std::vector<double> y, double final_time,
+                              Tolerances tolerances);
+
+/// Implicit Runge-Kutta of order 3, L-stable, in steps of one size (Kennedy & Carpenter 2003, ARK3(2)4L[2]SA;
+/// SUNDIALS ARKODE), with the linear solvers of the formulas above.
+/// @param newton what Newton's iterations are held to; what is linear closes to it
+OdeResult integrate_implicit_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time,
+                                         std::uint64_t steps, Tolerances newton);
 
 /// How a leapfrog steps.
 struct Stepping {

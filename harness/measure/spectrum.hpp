@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <complex>
 #include <vector>
 
@@ -8,16 +9,38 @@
 
 namespace sphverify {
 
-/// Largest operator whose eigenvalues are computed; beyond it the dense solver takes minutes.
+/// Largest operator whose eigenvalues are all computed; beyond it the dense solver takes minutes.
 inline constexpr std::size_t largest_dense_spectrum = 512;
+/// Largest operator of which the outermost eigenvalues are.
+inline constexpr std::size_t largest_sparse_spectrum = 50'000;
 
-/// Eigenvalues of a sparse operator by Eigen's dense solver. Expects at most `largest_dense_spectrum` rows.
-std::vector<std::complex<double>> spectrum(DependencyPattern const& pattern,
-                                           std::vector<double> const& values);
+/// Eigenvalues of a linear operator [1/s] and what else is known of it.
+struct Spectrum {
+  std::vector<std::complex<double>> eigenvalues;  ///< all of them, or those found
+  bool complete = false;
+  std::vector<Eigen::VectorXcd> modes;        ///< one per eigenvalue, or only `worst`'s
+  std::size_t worst = 0;                      ///< which eigenvalue has the largest real part
+  std::optional<std::uint64_t> unseen_modes;  ///< dimension of the kernel; known when complete
+  std::string remark;                         ///< why it is not what was asked for
+};
+
+/// All eigenvalues and the worst mode by Eigen's dense solver; the kernel by its singular values, so that
+/// what defective zero eigenvalues hide is counted too: singular values below 1e-12 of the largest times the
+/// operator's size are zero.
+/// @param all_modes whether the modes of all eigenvalues are wanted
+Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes = false);
+
+/// The outermost eigenvalues of a sparse matrix: largest in modulus, real and imaginary part by Arnoldi's
+/// method, and those nearest to a point just right of zero by its shifted inverse (Spectra), since slow modes
+/// hide from the former.
+Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values);
+
+/// The one of the two that suits the size.
+Spectrum spectrum(DependencyPattern const& pattern, std::vector<double> const& values);
 
 /// What the eigenvalues say: abscissa, radius, growing modes, and the largest stable step of explicit Euler,
 /// min over moving modes of -2 Re(lambda)/|lambda|^2. A mode grows if its real part exceeds 1e-10 of the
-/// radius.
-Stability stability_of(std::vector<std::complex<double>> const& eigenvalues);
+/// radius; found by Arnoldi's method, 1e-8.
+Stability stability_of(Spectrum const& spectrum);
 
 }  // namespace sphverify

@@ -7,8 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "harness/measure/mode_shape.hpp"
 #include "harness/measure/norms.hpp"
+#include "harness/measure/second_law.hpp"
 #include "harness/measure/spectrum.hpp"
+#include "harness/measure/stable_step.hpp"
 #include "harness/run/clock.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/frozen_conduction.hpp"
@@ -62,9 +65,13 @@ class ConductionRun {
     describe_scene();
     if (accepted) {
       measure(*accepted);
+      if (options_.measure.contains(Measure::second_law)) {
+        measure_second_law(*record_.integration->relative_tolerance);
+      }
       if (options_.measure.contains(Measure::cost)) measure_cost();
     }
-    if (options_.measure.contains(Measure::stability) || options_.measure.contains(Measure::spectrum)) {
+    if (options_.measure.contains(Measure::stability) || options_.measure.contains(Measure::spectrum) ||
+        options_.measure.contains(Measure::stable_step)) {
       measure_stability();
     }
   }
@@ -103,6 +110,7 @@ class ConductionRun {
         status = "timed-out";
         return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
       }
+      if (watch_) watch_->observe(t, T);
       if (with_quadratures && options_.measure.contains(Measure::history)) {
         history_.time.push_back(t);
         history_.energy.push_back(energy(T));
@@ -153,7 +161,16 @@ class ConductionRun {
     for (double const tolerance : tolerance_ladder) {
       set_tolerance(tolerance);  // the one that a run which breaks was at
       std::optional<OdeResult> tighter = integrate(conduction_, tolerance, with_quadratures);
-      if (!tighter) return std::nullopt;
+      if (!tighter) {
+        // Newton's iteration may not converge over long steps of one size.
+        bool const may_do_better = record_.discretisation.integrator == "implicit-runge-kutta" &&
+                                   tolerance != tolerance_ladder.back() && record_.status == "unstable";
+        if (!may_do_better) return std::nullopt;
+        looser.reset();
+        continue;
+      }
+      record_.status = "ok";
+      record_.reason.clear();
       if (looser) {
         FieldErrors const change = errors_of(looser->y, tighter->y);
         double const share = time_error_share(change, errors_of(tighter->y, exact_));
@@ -298,18 +315,63 @@ class ConductionRun {
     if (timed > 0) record_.cost = best;
   }
 
+  /// Of the rate linearised about the exact solution at the final time.
   void measure_stability() {
     Stability& stability = record_.stability.emplace();
-    if (particles_.size() > largest_dense_spectrum) {
-      stability.remark = fmt::format("not computed for more than {} particles", largest_dense_spectrum);
+    if (particles_.size() > largest_sparse_spectrum) {
+      stability.remark = fmt::format("not computed for more than {} particles", largest_sparse_spectrum);
       return;
     }
     ColouredJacobian& jacobian = conduction_.jacobian();
-    auto const eigenvalues =
+    Spectrum const found =
         spectrum(jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()));
-    stability = stability_of(eigenvalues);
+    stability = stability_of(found);
+    if (!found.eigenvalues.empty()) {
+      stability.worst_mode = mode_shape(found.eigenvalues[found.worst], found.modes[found.worst], particles_,
+                                        problem_.domain, problem_.walls, conduction_.scene().spacing());
+    }
+    if (found.complete) measure_stable_steps(found.eigenvalues);
     if (!options_.measure.contains(Measure::spectrum)) return;
-    for (auto const& lambda : eigenvalues) record_.spectrum.push_back({lambda.real(), lambda.imag()});
+    for (auto const& lambda : found.eigenvalues) record_.spectrum.push_back({lambda.real(), lambda.imag()});
+  }
+
+  void measure_stable_steps(std::vector<std::complex<double>> const& eigenvalues) {
+    Stability& stability = *record_.stability;
+    auto const out_of_time = [&] {
+      if (options_.interrupted && *options_.interrupted) throw Interrupted();
+      return options_.time_budget > 0.0 && clock_.seconds() > options_.time_budget;
+    };
+    auto const rate = [&](double const* T, double* out) {
+      conduction_.evaluate(problem_.final_time, T);
+      conduction_.scene().heating(problem_.final_time, out);
+    };
+    // Affine rates may be perturbed by any amount; others by little enough to stay on the tangent.
+    double const amplitude = (problem_.conductivity_depends_on_temperature ? 1e-6 : 1.0) * scale_;
+    for (ButcherTable const& method : explicit_methods()) {
+      StableStep& step = stability.stable_steps[method.name] = stable_step(method, eigenvalues);
+      if (!options_.measure.contains(Measure::stable_step) || !step.theory) continue;
+      step.measured = measured_stable_step(method, rate, exact_, amplitude, *step.theory, out_of_time);
+      if (!step.measured)
+        step.remark = "no step was found in the time budget that separates stable from unstable";
+    }
+  }
+
+  /// One more run at the tolerance that was accepted, watched at every step.
+  void measure_second_law(double tolerance) {
+    if (problem_.source) {
+      record_.second_law.emplace().remark = "a source gives heat: what is conducted cannot be told apart";
+      return;
+    }
+    watch_.emplace(conduction_.scene(), scale_);
+    if (integrate(conduction_, tolerance, false)) {
+      record_.second_law = watch_->result();
+    } else {
+      // The measured run stands; only the watch over it is lost, and was to the time budget.
+      record_.second_law.emplace().remark = record_.reason;
+      record_.status = "ok";
+      record_.reason.clear();
+    }
+    watch_.reset();
   }
 
   Problem<Dim> const& problem_;
@@ -323,6 +385,7 @@ class ConductionRun {
   std::vector<double> exact_, volumes_;
   std::vector<Region> regions_;
   History history_;
+  std::optional<SecondLawWatch<Dim>> watch_;
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "harness/run/frozen_conduction.hpp"
 
+#include <cmath>
+
 #include "harness/integrate/dependencies.hpp"
 
 namespace sphverify {
@@ -64,8 +66,16 @@ OdeResult FrozenConduction<Dim>::integrate(std::string const& method, double fin
   for (std::size_t i = 0; i < system.size; ++i) initial[i] = exact(scene_.particles().positions()[i], 0.0);
   if (method == "runge-kutta")
     return integrate_runge_kutta(system, std::move(initial), final_time, tolerances);
+  if (method == "runge-kutta-chebyshev")
+    return integrate_chebyshev(system, std::move(initial), final_time, tolerances);
   // Beyond one dimension a factorisation fills in, and costs more than it saves.
   if constexpr (Dim == 1) system.jacobian = &jacobian();
+  if (method == "implicit-runge-kutta") {
+    // Of order 3: the error per run falls with the cube of the step.
+    auto const steps = static_cast<std::uint64_t>(std::ceil(1.0 / std::cbrt(tolerances.relative)));
+    return integrate_implicit_runge_kutta(system, std::move(initial), final_time, steps,
+                                          {1e-3 * tolerances.relative, 1e-3 * tolerances.absolute});
+  }
   return integrate_bdf(system, std::move(initial), final_time, tolerances);
 }
 

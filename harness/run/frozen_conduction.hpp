@@ -19,7 +19,8 @@ class FrozenConduction {
 
   Scene<Dim>& scene() { return scene_; }
 
-  /// Integrates to a time by the named method (bdf, runge-kutta).
+  /// Integrates to a time by the named method (bdf, implicit-runge-kutta, runge-kutta,
+  /// runge-kutta-chebyshev).
   /// @param with_quadratures whether to integrate what crosses walls, at the price of one more rate a step
   OdeResult integrate(std::string const& method, double final_time, Tolerances tolerances,
                       bool with_quadratures, decltype(OdeSystem::monitor) monitor);

@@ -12,6 +12,7 @@
 #include "harness/measure/shock.hpp"
 #include "harness/run/clock.hpp"
 #include "harness/run/exact_fields.hpp"
+#include "harness/run/gas_stability.hpp"
 #include "harness/run/moving_gas.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
@@ -48,12 +49,34 @@ class MovingRun {
       : problem_(problem), choice_(choice), options_(options), record_(record) {}
 
   void run() {
+    if (asks_for_stability()) measure_stability();
     std::optional<FinalState<Dim>> const state = choose_step();
     if (!state) return;
     measure(*state);
   }
 
  private:
+  bool asks_for_stability() const {
+    return options_.measure.contains(Measure::stability) || options_.measure.contains(Measure::spectrum) ||
+           options_.measure.contains(Measure::stable_step);
+  }
+
+  void measure_stability() {
+    auto const out_of_time = [&] {
+      if (options_.interrupted && *options_.interrupted) throw Interrupted();
+      return options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget;
+    };
+    try {
+      record_.stability = gas_stability(problem_, choice_, options_.measure.contains(Measure::spectrum),
+                                        options_.measure.contains(Measure::stable_step), out_of_time);
+    } catch (BrokenRun const& broken) {
+      record_.stability.emplace().remark = broken.what();
+    }
+    if (!options_.measure.contains(Measure::spectrum)) return;
+    for (Mode const& mode : record_.stability->modes)
+      record_.spectrum.push_back({mode.growth, mode.frequency});
+  }
+
   std::string const& method() const { return record_.discretisation.integrator; }
   bool is_leapfrog() const { return method() == "leapfrog"; }
 

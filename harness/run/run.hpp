@@ -10,7 +10,18 @@
 namespace sphverify {
 
 /// What a study may ask to be measured.
-enum class Measure { error, conservation, cost, stability, profile, history, spectrum, energy_routes };
+enum class Measure {
+  error,
+  conservation,
+  cost,
+  stability,
+  stable_step,
+  second_law,
+  profile,
+  history,
+  spectrum,
+  energy_routes
+};
 using MeasureSet = FlagSet<Measure>;
 
 /// One run: a case, a formulation, a discretisation and a resolution.

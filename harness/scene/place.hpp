@@ -13,7 +13,9 @@ namespace sphverify {
 /// Throws std::invalid_argument for a layout that the dimension does not have, or that there is not.
 template <int Dim>
 double particle_count(Domain<Dim> const& domain, LayoutChoice const& layout, int resolution) {
-  if (layout.id == "lattice" || layout.id == "jittered") return lattice_count(domain, resolution);
+  for (char const* id : {"lattice", "jittered", "clumped", "touching"}) {
+    if (layout.id == id) return lattice_count(domain, resolution);
+  }
   if (layout.id == "equal-mass") {
     if constexpr (Dim == 1) return resolution;
     throw std::invalid_argument("layout equal-mass is for one dimension");
@@ -48,6 +50,8 @@ template <int Dim>
 Layout<Dim> place_in_order(Problem<Dim> const& problem, LayoutChoice const& layout, int resolution) {
   particle_count(problem.domain, layout, resolution);  // says what is wrong with the choice
   if (layout.id == "jittered") return jittered(problem.domain, resolution, layout.amplitude, layout.seed);
+  if (layout.id == "clumped") return clumped(problem.domain, resolution, layout.amplitude);
+  if (layout.id == "touching") return touching(problem.domain, resolution, layout.amplitude);
   if constexpr (Dim == 1) {
     if (layout.id == "equal-mass") {
       auto const& density = problem.scalars.at(Field::density);

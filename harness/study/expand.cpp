@@ -37,7 +37,10 @@ bool suits(CaseKind kind, std::string const& density) {
 }
 
 bool integrates(CaseKind kind, std::string const& integrator) {
-  return integrator == "bdf" ? !moves(kind) : integrator == "runge-kutta" ? true : moves(kind);
+  if (integrator == "runge-kutta") return true;
+  bool const at_rest =
+      integrator == "bdf" || integrator == "implicit-runge-kutta" || integrator == "runge-kutta-chebyshev";
+  return at_rest != moves(kind);
 }
 
 /// Whether a wall goes with the gas that it pushes.

@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -25,8 +26,9 @@ namespace {
 int jobs_that_fit(Expansion const& expansion) {
   double largest = 0.0;
   for (RunSpec const& run : expansion.runs) {
-    largest = std::max(largest, estimated_bytes(run.scene_case->problem(run.parameters), run.discretisation.layout,
-                                                run.resolution, run.smoothing_ratio));
+    largest =
+        std::max(largest, estimated_bytes(run.scene_case->problem(run.parameters), run.discretisation.layout,
+                                          run.resolution, run.smoothing_ratio));
   }
   double const jobs = physical_memory() / std::max(largest, 1.0);
   return jobs < 1e6 ? std::max(1, static_cast<int>(jobs)) : 1'000'000;
@@ -60,18 +62,6 @@ void run_study(Study const& study, StudyOptions const& options) {
   results.context = current_context();
   results.study = document.dump();
   results.skipped = expansion.skipped;
-  results.runs.resize(expansion.runs.size());
-  std::vector<std::size_t> todo;
-  for (std::size_t index = 0; index < expansion.runs.size(); ++index) {
-    auto const known =
-        journal ? journal->finished().find(index) : decltype(journal->finished().find(index)){};
-    if (journal && known != journal->finished().end()) {
-      results.runs[index] = known->second;
-    } else {
-      todo.push_back(index);
-    }
-  }
-
   RunOptions const run_options{.measure = study.measure,
                                .threads = study.threads,
                                .repeat = study.repeat,
@@ -80,24 +70,56 @@ void run_study(Study const& study, StudyOptions const& options) {
   for (Skipped const& s : expansion.skipped) {
     fmt::print(stderr, "skipped: {} on {}: {}\n", s.formulation, s.case_id, s.reason);
   }
+  auto const finished_before = [&](std::size_t index) -> RunRecord const* {
+    if (!journal) return nullptr;
+    auto const known = journal->finished().find(index);
+    return known == journal->finished().end() ? nullptr : &known->second;
+  };
+  auto const carry_out = [&](RunSpec const& spec, std::size_t index) {
+    if (RunRecord const* const known = finished_before(index)) return *known;
+    if (options.interrupted && *options.interrupted) throw Interrupted();
+    RunRecord record = execute(spec, run_options);
+    if (journal) journal->append(index, record);
+    return record;
+  };
+  std::size_t const units = expansion.runs.size();
+  // What one unit of the study ran: a single run, or those of an envelope.
+  std::vector<std::vector<RunRecord>> records(units);
+  results.envelopes.resize(study.envelope ? units : 0);
+  std::size_t const stride = study.envelope ? static_cast<std::size_t>(most_runs(*study.envelope)) : 1;
+  std::vector<std::size_t> todo;
+  for (std::size_t k = 0; k < units; ++k) {
+    RunRecord const* const known = study.envelope ? nullptr : finished_before(k);
+    if (known) {
+      records[k] = {*known};
+    } else {
+      todo.push_back(k);
+    }
+  }
   {
-    Progress progress(expansion.runs.size(), expansion.runs.size() - todo.size());
+    Progress progress(units, units - todo.size());
     tbb::task_arena arena(std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion)));
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, todo.size(),
-          [&](std::size_t k) {
-            if (options.interrupted && *options.interrupted) throw Interrupted();
-            RunSpec const& spec = expansion.runs[todo[k]];
-            RunRecord record = execute(spec, run_options);
-            if (journal) journal->append(todo[k], record);
+          [&](std::size_t n) {
+            std::size_t const k = todo[n];
+            RunSpec const& spec = expansion.runs[k];
+            if (study.envelope) {
+              results.envelopes[k] = find_envelope(spec, *study.envelope, [&](RunSpec const& one, int step) {
+                records[k].push_back(carry_out(one, k * stride + static_cast<std::size_t>(step)));
+                return records[k].back();
+              });
+            } else {
+              records[k].push_back(carry_out(spec, k));
+            }
             progress.finished(spec.label);
-            results.runs[todo[k]] = std::move(record);
           },
           tbb::simple_partitioner{});
     });
   }
-  results.series = build_series(results.runs);
+  for (auto& unit : records) std::move(unit.begin(), unit.end(), std::back_inserter(results.runs));
+  if (!study.envelope) results.series = build_series(results.runs);
   write_document(options.output, document_text(to_json(results)));
   if (journal) journal->remove();
 }

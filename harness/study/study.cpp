@@ -21,6 +21,9 @@ std::vector<MeasureWord> const& measure_words() {
        "budgets of mass, momentum and energy: drift, exchange through walls, wall budget defect"},
       {"cost", Measure::cost, "wall and processor time (minimum of the repeats), counted work, memory"},
       {"stability", Measure::stability, "eigenvalues of the linearised rate: abscissa, radius, stable step"},
+      {"stable-step", Measure::stable_step,
+       "largest stable steps of explicit methods, by bisection on their own steps"},
+      {"second-law", Measure::second_law, "overshoots, heat from cold to hot, entropy production"},
       {"profile", Measure::profile, "computed and exact fields at the final time (stored)"},
       {"history", Measure::history, "budgets over time (stored)"},
       {"spectrum", Measure::spectrum, "all eigenvalues of the linearised rate (stored)"},
@@ -103,17 +106,32 @@ FormulationChoice read_formulation(Node const& node) {
   return f;
 }
 
+/// Of clumped and touching layouts, in particle spacings.
+constexpr double default_separation = 0.1;
+constexpr double default_gap = 1e-12;
+
 std::vector<LayoutChoice> read_layout(Node const& node) {
-  std::vector<std::string> const ids{"lattice",   "jittered",     "equal-mass",
-                                     "hexagonal", "close-packed", "glass"};
+  std::vector<std::string> const ids{"lattice",    "jittered",  "clumped",      "touching",
+                                     "equal-mass", "hexagonal", "close-packed", "glass"};
   if (node.is_string()) {
     std::string const id = node.word(ids);
     if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
     if (id == "glass") node.complain(R"({"id": "glass", "seed": ...})");
+    if (id == "clumped") return {{id, default_separation}};
+    if (id == "touching") return {{id, default_gap}};
     return {{id}};
   }
-  node.require_keys({"id", "amplitude", "seed", "seeds"});
+  node.require_keys({"id", "amplitude", "seed", "seeds", "separation", "gap"});
   std::string const id = node.at("id").word(ids);
+  if (id == "clumped" || id == "touching") {
+    bool const clumps = id == "clumped";
+    std::string const key = clumps ? "separation" : "gap";
+    node.require_keys({"id", key});
+    auto const distance = node.find(key);
+    if (!distance) return {{id, clumps ? default_separation : default_gap}};
+    return {{id, distance->number_between(1e-15, clumps ? 1.0 : 0.5)}};
+  }
+  node.require_keys({"id", "amplitude", "seed", "seeds"});
   if (id != "jittered" && id != "glass") {
     node.require_keys({"id"});
     return {{id}};
@@ -215,13 +233,53 @@ std::optional<ViscosityChoice> read_viscosity(Node const& node) {
   return ViscosityChoice{coefficient("alpha"), coefficient("beta")};
 }
 
+/// Both ends are to make sense for every case.
+EnvelopeChoice read_envelope(Node const& node, Study const& study) {
+  node.require_keys({"parameter", "from", "to", "scale", "bisections"});
+  EnvelopeChoice choice;
+  choice.parameter = node.at("parameter").string();
+  choice.from = node.at("from").number();
+  choice.to = node.at("to").number();
+  if (auto const scale = node.find("scale"))
+    choice.logarithmic = scale->word({"linear", "logarithmic"}) == "logarithmic";
+  if (auto const bisections = node.find("bisections"))
+    choice.bisections = static_cast<int>(bisections->integer(0, 60));
+  if (choice.logarithmic && !(choice.from > 0.0 && choice.to > 0.0))
+    node.at("scale").complain("linear, unless both ends are positive");
+  if (choice.from == choice.to) node.at("to").complain("another value than from");
+  if (choice.parameter == "smoothing_ratio") {
+    for (char const* end : {"from", "to"}) node.at(end).positive_number();
+    return choice;
+  }
+  if (choice.parameter == "amplitude") {
+    for (char const* end : {"from", "to"}) node.at(end).number_between(0.0, 0.499999);
+    for (LayoutChoice const& layout : study.layouts) {
+      if (layout.id != "jittered")
+        node.at("parameter").complain("jittered layouts only, which have an amplitude");
+    }
+    return choice;
+  }
+  for (StudyCase const& one : study.cases) {
+    RunSpec spec{one.scene_case, one.parameters, {}, {}, {}, 0.0, 0, 0.0};
+    for (char const* end : {"from", "to"}) {
+      try {
+        spec = with_value(spec, choice, node.at(end).number());
+      } catch (std::invalid_argument const& error) {
+        throw UserError(node.file() + ": " + node.key() + ": " + error.what());
+      }
+      require_sensible({one.scene_case, spec.parameters}, node);
+    }
+  }
+  return choice;
+}
+
 }  // namespace
 
 Study read_study(Node const& document) {
   document.require_schema("sphverify-study/1");
   document.require_keys({"schema", "name", "cases", "formulations", "discretisation", "resolution",
                          "smoothing_exponent", "measure", "threads", "repeat", "closure", "integrator",
-                         "viscosity", "smoothing", "wall_motion", "time_budget"});
+                         "viscosity", "smoothing", "wall_motion", "time_budget", "envelope"});
   Study study;
   study.name = document.at("name").string();
   for (Node const& node : document.at("cases").one_or_many()) {
@@ -256,7 +314,8 @@ Study read_study(Node const& document) {
   study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), {"exact"});
   study.closures = read_words(find_choice(document, "closure"), closure_words.all(), {"interpolated"});
   study.integrators =
-      read_words(find_choice(document, "integrator"), {"bdf", "runge-kutta", "leapfrog", "auto"},
+      read_words(find_choice(document, "integrator"),
+                 {"bdf", "implicit-runge-kutta", "runge-kutta", "runge-kutta-chebyshev", "leapfrog", "auto"},
                  defaults(study.cases, "bdf", "auto"));
   study.smoothings = read_words(find_choice(document, "smoothing"), {"uniform", "adaptive"}, {"uniform"});
   study.wall_motions =
@@ -312,6 +371,7 @@ Study read_study(Node const& document) {
   if (auto const node = document.find("repeat")) study.repeat = static_cast<int>(node->integer(1, 1000));
   study.time_budget = 300.0;
   if (auto const node = document.find("time_budget")) study.time_budget = node->positive_number();
+  if (auto const node = document.find("envelope")) study.envelope = read_envelope(*node, study);
   require_memory(study, document);
   return study;
 }
@@ -350,6 +410,13 @@ Json to_json(Study const& study) {
   json["threads"] = study.threads;
   json["repeat"] = study.repeat;
   json["time_budget"] = study.time_budget;
+  if (study.envelope) {
+    json["envelope"] = {{"parameter", study.envelope->parameter},
+                        {"from", study.envelope->from},
+                        {"to", study.envelope->to},
+                        {"scale", study.envelope->logarithmic ? "logarithmic" : "linear"},
+                        {"bisections", study.envelope->bisections}};
+  }
   return json;
 }
 

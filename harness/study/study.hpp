@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "harness/run/run.hpp"
+#include "harness/study/envelope.hpp"
 #include "reports/json/node.hpp"
 
 namespace sphverify {
@@ -29,6 +30,7 @@ struct Study {
   int threads = 1;
   int repeat = 1;
   double time_budget = 0.0;
+  std::optional<EnvelopeChoice> envelope;  ///< instead of single runs, how far each can be driven
 };
 
 struct MeasureWord {

@@ -56,7 +56,9 @@ Discretisation read_discretisation(Node const& node) {
     d.layout = {layout.string()};
   } else {
     d.layout.id = layout.at("id").string();
-    if (auto const amplitude = layout.find("amplitude")) d.layout.amplitude = amplitude->number();
+    for (char const* key : {"amplitude", "separation", "gap"}) {
+      if (auto const amplitude = layout.find(key)) d.layout.amplitude = amplitude->number();
+    }
     if (auto const seed = layout.find("seed")) d.layout.seed = count(*seed);
   }
   d.face_weight = node.at("face_weight").string();
@@ -87,6 +89,11 @@ Cost read_cost(Node const& node) {
   return c;
 }
 
+Mode read_mode(Node const& node) {
+  return {measured(node.at("growth")), measured(node.at("frequency")), optional_number(node.at("wavelength")),
+          optional_number(node.at("wall_share")), node.at("centre").numbers()};
+}
+
 Stability read_stability(Node const& node) {
   Stability s;
   s.spectral_abscissa = optional_number(node.at("spectral_abscissa"));
@@ -94,7 +101,46 @@ Stability read_stability(Node const& node) {
   s.largest_stable_step = optional_number(node.at("largest_stable_step"));
   if (!node.at("growing_modes").is_null()) s.growing_modes = count(node.at("growing_modes"));
   s.remark = node.at("remark").string();
+  s.largest_imaginary = optional_number(node.at("largest_imaginary"));
+  if (!node.at("unseen_modes").is_null()) s.unseen_modes = count(node.at("unseen_modes"));
+  s.method = node.at("method").string();
+  if (!node.at("worst_mode").is_null()) s.worst_mode = read_mode(node.at("worst_mode"));
+  for (auto const& [method, step] : node.at("stable_steps").members()) {
+    s.stable_steps[method] = {optional_number(step.at("theory")), optional_number(step.at("measured")),
+                              step.at("remark").string()};
+  }
+  if (auto const modes = node.find("modes")) {
+    for (Node const& mode : modes->elements()) s.modes.push_back(read_mode(mode));
+  }
   return s;
+}
+
+SecondLaw read_second_law(Node const& node) {
+  auto const breach = [&](char const* key) {
+    Node const b = node.at(key);
+    return Breach{measured(b.at("size")), measured(b.at("time")), b.at("position").numbers()};
+  };
+  return {breach("overshoot"), breach("undershoot"), breach("cold_to_hot"),
+          optional_number(node.at("smallest_entropy_production")), node.at("remark").string()};
+}
+
+Envelope read_envelope(Node const& node) {
+  Envelope e;
+  e.case_id = node.at("case").string();
+  e.parameters = read_parameters(node.at("parameters"));
+  e.formulation = read_formulation(node);
+  e.label = node.at("label").string();
+  e.discretisation = read_discretisation(node.at("discretisation"));
+  e.resolution = static_cast<int>(count(node.at("resolution")));
+  e.parameter = node.at("parameter").string();
+  e.logarithmic = node.at("scale").string() == "logarithmic";
+  e.held = optional_number(node.at("held"));
+  e.failed = optional_number(node.at("failed"));
+  e.status = node.at("status").string();
+  e.reason = optional_string(node.at("reason"));
+  for (Node const& point : node.at("points").elements())
+    e.points.push_back({measured(point.at("value")), point.at("status").string()});
+  return e;
 }
 
 Integration read_integration(Node const& node) {
@@ -254,6 +300,7 @@ RunRecord read_run(Node const& node) {
   if (Node const cost = node.at("cost"); !cost.is_null()) r.cost = read_cost(cost);
   if (Node const stability = node.at("stability"); !stability.is_null())
     r.stability = read_stability(stability);
+  if (auto const second_law = node.find("second_law")) r.second_law = read_second_law(*second_law);
   if (Node const integration = node.at("integration"); !integration.is_null()) {
     r.integration = read_integration(integration);
   }
@@ -305,6 +352,9 @@ Results read_results(std::string const& path) {
   }
   for (Node const& s : node.at("skipped").elements()) {
     results.skipped.push_back({s.at("case").string(), s.at("formulation").string(), s.at("reason").string()});
+  }
+  if (auto const envelopes = node.find("envelopes")) {
+    for (Node const& envelope : envelopes->elements()) results.envelopes.push_back(read_envelope(envelope));
   }
   return results;
 }

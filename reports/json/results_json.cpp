@@ -105,11 +105,47 @@ Json to_json(Cost const& c) {
           {"peak_bytes", c.peak_bytes}};
 }
 
+Json to_json(Mode const& m) {
+  return {{"growth", number(m.growth)},
+          {"frequency", number(m.frequency)},
+          {"wavelength", number(m.wavelength)},
+          {"wall_share", number(m.wall_share)},
+          {"centre", numbers(m.centre)}};
+}
+
 Json to_json(Stability const& s) {
-  return {{"spectral_abscissa", number(s.spectral_abscissa)},
-          {"spectral_radius", number(s.spectral_radius)},
-          {"largest_stable_step", number(s.largest_stable_step)},
-          {"growing_modes", s.growing_modes ? Json(*s.growing_modes) : Json(nullptr)},
+  auto const count = [](std::optional<std::uint64_t> n) { return n ? Json(*n) : Json(nullptr); };
+  Json steps = Json::object();
+  for (auto const& [method, step] : s.stable_steps) {
+    steps[method] = {
+        {"theory", number(step.theory)}, {"measured", number(step.measured)}, {"remark", step.remark}};
+  }
+  Json json = {{"spectral_abscissa", number(s.spectral_abscissa)},
+               {"spectral_radius", number(s.spectral_radius)},
+               {"largest_imaginary", number(s.largest_imaginary)},
+               {"largest_stable_step", number(s.largest_stable_step)},
+               {"growing_modes", count(s.growing_modes)},
+               {"unseen_modes", count(s.unseen_modes)},
+               {"method", s.method},
+               {"worst_mode", s.worst_mode ? to_json(*s.worst_mode) : Json(nullptr)},
+               {"stable_steps", steps},
+               {"remark", s.remark}};
+  if (!s.modes.empty()) {
+    json["modes"] = Json::array();
+    for (Mode const& mode : s.modes) json["modes"].push_back(to_json(mode));
+  }
+  return json;
+}
+
+Json to_json(Breach const& b) {
+  return {{"size", number(b.size)}, {"time", number(b.time)}, {"position", numbers(b.position)}};
+}
+
+Json to_json(SecondLaw const& s) {
+  return {{"overshoot", to_json(s.overshoot)},
+          {"undershoot", to_json(s.undershoot)},
+          {"cold_to_hot", to_json(s.cold_to_hot)},
+          {"smallest_entropy_production", number(s.smallest_entropy_production)},
           {"remark", s.remark}};
 }
 
@@ -161,6 +197,24 @@ void put_formulation(Json& json, FormulationChoice const& f) {
   json["walls"] = f.walls ? "on" : "off";
 }
 
+Json to_json(Envelope const& e) {
+  Json json = {{"case", e.case_id}, {"parameters", parameters_json(e.parameters)}};
+  put_formulation(json, e.formulation);
+  json["label"] = e.label;
+  json["discretisation"] = to_json(e.discretisation);
+  json["resolution"] = e.resolution;
+  json["parameter"] = e.parameter;
+  json["scale"] = e.logarithmic ? "logarithmic" : "linear";
+  json["held"] = number(e.held);
+  json["failed"] = number(e.failed);
+  json["status"] = e.status;
+  json["reason"] = e.reason.empty() ? Json(nullptr) : Json(e.reason);
+  json["points"] = Json::array();
+  for (Envelope::Point const& point : e.points)
+    json["points"].push_back({{"value", number(point.value)}, {"status", point.status}});
+  return json;
+}
+
 Json to_json(Series const& s) {
   Json json = {{"case", s.case_id}, {"parameters", parameters_json(s.parameters)}};
   put_formulation(json, s.formulation);
@@ -209,6 +263,8 @@ Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {
 
 Json to_json(LayoutChoice const& layout) {
   if (layout.id == "glass") return {{"id", layout.id}, {"seed", layout.seed}};
+  if (layout.id == "clumped") return {{"id", layout.id}, {"separation", layout.amplitude}};
+  if (layout.id == "touching") return {{"id", layout.id}, {"gap", layout.amplitude}};
   if (layout.id != "jittered") return layout.id;
   return {{"id", layout.id}, {"amplitude", layout.amplitude}, {"seed", layout.seed}};
 }
@@ -263,6 +319,7 @@ Json to_json(RunRecord const& r) {
   }
   json["cost"] = r.cost ? to_json(*r.cost) : Json(nullptr);
   json["stability"] = r.stability ? to_json(*r.stability) : Json(nullptr);
+  if (r.second_law) json["second_law"] = to_json(*r.second_law);
   json["integration"] = r.integration ? to_json(*r.integration) : Json(nullptr);
   if (r.profile) json["profile"] = to_json(*r.profile);
   if (r.history) {
@@ -290,6 +347,10 @@ Json to_json(Results const& results) {
   json["skipped"] = Json::array();
   for (Skipped const& s : results.skipped) {
     json["skipped"].push_back({{"case", s.case_id}, {"formulation", s.formulation}, {"reason", s.reason}});
+  }
+  if (!results.envelopes.empty()) {
+    json["envelopes"] = Json::array();
+    for (Envelope const& envelope : results.envelopes) json["envelopes"].push_back(to_json(envelope));
   }
   return json;
 }

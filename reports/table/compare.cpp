@@ -37,7 +37,9 @@ std::string percent(Number const& value) {
 }
 
 std::string layout_name(LayoutChoice const& layout) {
-  return layout.id == "jittered" ? fmt::format("jitter {:g}", layout.amplitude) : layout.id;
+  if (layout.id == "jittered") return fmt::format("jitter {:g}", layout.amplitude);
+  bool const has_distance = layout.id == "clumped" || layout.id == "touching";
+  return has_distance ? fmt::format("{} {:g}", layout.id, layout.amplitude) : layout.id;
 }
 
 /// "brookshaw" for "conduction/brookshaw", "total" for "work/total-energy".

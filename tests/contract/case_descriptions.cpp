@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(every_case_says_everything_of_itself) {
                                : info.kind == CaseKind::conduction ? "conduction/"
                                : info.kind == CaseKind::hydro      ? "hydro/"
                                                                    : "coupled/";
-      BOOST_TEST(info.id.starts_with(room));
+      BOOST_TEST((info.id.starts_with(room) || info.id.starts_with("extreme/")));
       std::set<std::string> names;
       for (ParameterSpec const& spec : info.parameters) {
         BOOST_TEST(!spec.meaning.empty(), spec.name);
@@ -89,7 +89,22 @@ BOOST_AUTO_TEST_CASE(values_that_make_no_sense_are_refused) {
                          Bad{"conduction/barenblatt", "half_width", 1.0},
                          Bad{"conduction/barenblatt", "constant", -1.0},
                          Bad{"conduction/marshak", "exponent", 0.0},
-                         Bad{"conduction/marshak", "final_time", 50.0}}) {
+                         Bad{"conduction/marshak", "final_time", 50.0},
+                         Bad{"extreme/pressure-ratio", "ratio", 0.0},
+                         Bad{"extreme/pressure-ratio", "final_time", 0.0},
+                         Bad{"extreme/density-contrast", "contrast", 0.0},
+                         Bad{"extreme/density-contrast", "boundary", std::string("periodic")},
+                         Bad{"extreme/conductivity-contrast", "contrast", -1.0},
+                         Bad{"extreme/cold-front", "ratio", 1.0},
+                         Bad{"extreme/cold-front", "exponent", -1.0},
+                         Bad{"extreme/cold-front", "exponent", 40.0},
+                         Bad{"extreme/units", "length_unit", 0.0},
+                         Bad{"extreme/units", "mass_unit", -1.0},
+                         Bad{"extreme/units", "final_time", 0.0},
+                         Bad{"extreme/gas-units", "time_unit", -1.0},
+                         Bad{"extreme/gas-units", "length_unit", 1e200},
+                         Bad{"extreme/radiative-wall", "start", 1.0},
+                         Bad{"extreme/radiative-wall", "radiation", -1.0}}) {
     Case const* const one = find_case(bad.id);
     BOOST_TEST_REQUIRE(one != nullptr);
     Parameters parameters(one->info.parameters);

@@ -10,8 +10,9 @@ BOOST_AUTO_TEST_SUITE(harness_scene_place)
 using namespace sphverify;
 using namespace sphverify::tests;
 
-std::vector<LayoutChoice> const all_layouts{{"lattice"},   {"jittered", 0.2, 1}, {"equal-mass"},
-                                            {"hexagonal"}, {"close-packed"},     {"glass", 0.0, 1}};
+std::vector<LayoutChoice> const all_layouts{{"lattice"},         {"jittered", 0.2, 1}, {"clumped", 0.1},
+                                            {"touching", 1e-12}, {"equal-mass"},       {"hexagonal"},
+                                            {"close-packed"},    {"glass", 0.0, 1}};
 
 template <int Dim>
 Problem<Dim> problem() {

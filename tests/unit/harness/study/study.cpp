@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE(an_unknown_identifier_is_named_with_the_nearest_one) {
   check_says(refusal("discretisation", R"({"face_weight": ["exact", "ballanced"]})"),
              {"discretisation.face_weight[1]", "did you mean 'balanced'?"});
   check_says(refusal("closure", R"("onesided")"), {"closure", "did you mean 'one-sided'?"});
-  check_says(refusal("integrator", R"("rk")"), {"integrator: found 'rk'", "bdf, runge-kutta"});
+  check_says(refusal("integrator", R"("rk")"), {"integrator: found 'rk'", "bdf, implicit-runge-kutta"});
   check_says(refusal("measure", R"(["error", "costs"])"), {"measure[1]", "did you mean 'cost'?"});
   check_says(refusal("discretisation", R"({"layout": "latice"})"), {"did you mean 'lattice'?"});
   check_says(refusal("formulations", R"({"id": "momentum/p-rho2", "work": "conduction/brookshaw"})"),
@@ -222,6 +222,23 @@ BOOST_AUTO_TEST_CASE(another_document_is_refused) {
              {"schema: found 'sphverify-results/1', expected sphverify-study/1"});
   check_says(refusal("schema", "1"), {"schema: found 1"});
   check_says(refusal(Json::array()), {"study.json: found an empty list"});
+}
+
+BOOST_AUTO_TEST_CASE(clumped_and_touching_layouts_have_a_distance_of_their_own_name_and_a_default) {
+  Json document = smallest();
+  document["discretisation"]["layout"] = Json::parse(
+      R"(["clumped", "touching", {"id": "clumped", "separation": 0.5}, {"id": "touching", "gap": 0.001}])");
+  Study const study = read(document);
+  std::vector<LayoutChoice> const expected{
+      {"clumped", 0.1}, {"touching", 1e-12}, {"clumped", 0.5}, {"touching", 1e-3}};
+  BOOST_TEST((study.layouts == expected));
+  BOOST_TEST((read(to_json(study)).layouts == expected));
+  auto const layout = [](std::string const& value) {
+    return refusal("discretisation", R"({"layout": )" + value + "}");
+  };
+  check_says(layout(R"({"id": "clumped", "separation": 1.5})"), {"layout.separation: found 1.5"});
+  check_says(layout(R"({"id": "touching", "gap": 0})"), {"layout.gap: found 0"});
+  check_says(layout(R"({"id": "touching", "separation": 0.1})"), {"layout.separation", "unknown key"});
 }
 
 BOOST_AUTO_TEST_CASE(a_jittered_layout_needs_an_amplitude_below_half_and_seeds) {

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "harness/cli/commands.hpp"
+#include "harness/study/expand.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct RepeatCommand {
+  std::string document;
+  std::size_t run = 0;
+  std::string output = "-";
+};
+
+/// The study of one run alone, measured and bounded as the whole was.
+Study study_of(Results const& results, RunRecord const& run, std::string const& file) {
+  Json const whole = Json::parse(results.study);
+  Json const record = to_json(run);
+  Json formulation = {{"id", record.at("formulation")}, {"walls", record.at("walls")}};
+  for (char const* partner : {"work", "conduction"}) {
+    if (!record.at(partner).is_null()) formulation[partner] = record.at(partner);
+  }
+  Json discretisation = record.at("discretisation");
+  for (auto it = discretisation.begin(); it != discretisation.end();) {
+    it = it->is_null() ? discretisation.erase(it) : std::next(it);
+  }
+  // The ratio at this resolution, whatever refinement path led to it.
+  if (run.spacing > 0.0) discretisation["smoothing_ratio"] = run.smoothing_length / run.spacing;
+  Json const document = {
+      {"schema", "sphverify-study/1"},
+      {"name", whole.at("name")},
+      {"cases", Json::array({{{"id", record.at("case")}, {"parameters", record.at("parameters")}}})},
+      {"formulations", Json::array({formulation})},
+      {"discretisation", discretisation},
+      {"resolution", run.resolution},
+      {"measure", whole.at("measure")},
+      {"threads", whole.at("threads")},
+      {"repeat", whole.at("repeat")},
+      {"time_budget", whole.at("time_budget")}};
+  return read_study(Node(document, file));
+}
+
+void repeat(RepeatCommand const& command) {
+  require_writable(command.output, command.document);
+  Results const results = read_results(command.document);
+  if (command.run >= results.runs.size()) {
+    throw UserError(command.document, "RUN", std::to_string(command.run),
+                    fmt::format("an index below {}, the number of its runs", results.runs.size()));
+  }
+  RunRecord const& before = results.runs[command.run];
+  Study const study = study_of(results, before, command.document);
+  Expansion const expansion = expand(study);
+  if (expansion.runs.empty()) {
+    throw UserError(command.document + ": run " + std::to_string(command.run) + ": " +
+                    expansion.skipped.front().reason);
+  }
+  RunRecord const now = execute(expansion.runs.front(), {.measure = study.measure,
+                                                         .threads = study.threads,
+                                                         .repeat = study.repeat,
+                                                         .time_budget = study.time_budget,
+                                                         .interrupted = nullptr});
+  auto const said = [](RunRecord const& run) {
+    return run.reason.empty() ? run.status : run.status + ": " + run.reason;
+  };
+  fmt::print(stderr, "run {}: {} on {}\n  recorded  {}\n  now       {}\n", command.run, now.label,
+             now.case_id, said(before), said(now));
+  write_document(command.output, document_text(to_json(now)));
+}
+
+}  // namespace
+
+void add_repeat(CLI::App& app) {
+  auto command = std::make_shared<RepeatCommand>();
+  CLI::App* sub = app.add_subcommand("repeat", "Carries out one run of a results document again");
+  sub->add_option("RESULTS.json", command->document, "The results document")->required();
+  sub->add_option("RUN", command->run, "Which of its runs, counted from 0")->required();
+  sub->add_option("-o,--output", command->output, "Where the run's record goes; standard output by default");
+  sub->footer("Example: sphverify repeat results.json 17 -o run.json");
+  sub->callback([command] { repeat(*command); });
+}
+
+}  // namespace sphverify

@@ -1,0 +1,175 @@
+#include "harness/measure/second_law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sphverify {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Coldest and hottest of what a particle feels.
+struct Range {
+  double lowest = infinity, highest = -infinity;
+
+  void include(double value) { include(Range{value, value}); }
+  void include(Range const& other) {
+    lowest = std::min(lowest, other.lowest);
+    highest = std::max(highest, other.highest);
+  }
+};
+
+template <int Dim>
+bool brings_flux(Wall<Dim> const& wall, WallContacts<Dim> const& contacts, double time) {
+  if (wall.temperature || !wall.flux) return false;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    if (!wall.flux(contacts.foot[c], time).isZero(0.0)) return true;
+  }
+  return false;
+}
+
+void keep_worse(Breach& worst, double size, double time, auto const& position) {
+  if (size > worst.size) worst = {size, time, {position.begin(), position.end()}};
+}
+
+}  // namespace
+
+template <int Dim>
+SecondLawWatch<Dim>::SecondLawWatch(Scene<Dim>& scene, double temperature_scale)
+    : scene_(scene),
+      round_off_(1e-12 * temperature_scale),
+      lowest_(infinity),
+      highest_(-infinity),
+      rate_(scene.particles().size()) {
+  auto const& exact = scene_.problem().scalars.at(Field::temperature);
+  for (std::size_t i = 0; i < rate_.size(); ++i) {
+    double const T = exact(scene_.particles().positions()[i], 0.0);
+    lowest_ = std::min(lowest_, T);
+    highest_ = std::max(highest_, T);
+  }
+}
+
+template <int Dim>
+void SecondLawWatch<Dim>::observe(double time, double const* temperature) {
+  scene_.set_temperature(temperature);
+  scene_.evaluate(time);
+  scene_.heating(time, rate_.data());
+  widen_range(time);
+  watch_range(time, temperature);
+  watch_extrema(time, temperature);
+  watch_entropy(time, temperature);
+}
+
+template <int Dim>
+void SecondLawWatch<Dim>::widen_range(double time) {
+  PairGeometry<Dim> const& geometry = scene_.geometry();
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    Wall<Dim> const& wall = geometry.walls[w];
+    WallContacts<Dim> const& contacts = geometry.contacts[w];
+    if (brings_flux(wall, contacts, time)) {
+      bounded_ = false;
+      result_.remark = "a wall brings heat: temperatures have no bounds, entropy no balance";
+    }
+    if (!wall.temperature) continue;
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      double const T = wall.temperature(contacts.foot[c], time);
+      lowest_ = std::min(lowest_, T);
+      highest_ = std::max(highest_, T);
+    }
+  }
+}
+
+template <int Dim>
+void SecondLawWatch<Dim>::watch_range(double time, double const* temperature) {
+  double const range = highest_ - lowest_;
+  if (!bounded_ || !(range > round_off_)) return;
+  auto const& places = scene_.particles().positions();
+  for (std::size_t i = 0; i < rate_.size(); ++i) {
+    double const T = temperature[i];
+    if (T > highest_ + round_off_) keep_worse(result_.overshoot, (T - highest_) / range, time, places[i]);
+    if (T < lowest_ - round_off_) keep_worse(result_.undershoot, (lowest_ - T) / range, time, places[i]);
+  }
+}
+
+template <int Dim>
+void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) {
+  PairGeometry<Dim> const& geometry = scene_.geometry();
+  std::size_t const n = rate_.size();
+  std::vector<Range> around(n);
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    Wall<Dim> const& wall = geometry.walls[w];
+    WallContacts<Dim> const& contacts = geometry.contacts[w];
+    bool const unbounded = brings_flux(wall, contacts, time);
+    for (std::size_t c = 0; c < contacts.size(); ++c) {
+      if (unbounded) around[contacts.particle[c]].include(Range{-infinity, infinity});
+      if (wall.temperature) around[contacts.particle[c]].include(wall.temperature(contacts.foot[c], time));
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(temperature[j]);
+  }
+  // The two-pass forms feel their neighbours' neighbours.
+  if (scene_.scheme().two_pass) {
+    std::vector<Range> const nearer = around;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(nearer[j]);
+    }
+  }
+  double largest = 0.0;
+  for (double const rate : rate_) largest = std::max(largest, std::abs(rate));
+  if (!(largest > 0.0)) return;
+  auto const& places = scene_.particles().positions();
+  for (std::size_t i = 0; i < n; ++i) {
+    // Strictly: between equals rounding decides.
+    bool const hottest =
+        temperature[i] >= around[i].highest && temperature[i] > around[i].lowest + round_off_;
+    bool const coldest =
+        temperature[i] <= around[i].lowest && temperature[i] < around[i].highest - round_off_;
+    double const wrong = hottest ? rate_[i] : coldest ? -rate_[i] : 0.0;
+    if (wrong > 1e-10 * largest) keep_worse(result_.cold_to_hot, wrong / largest, time, places[i]);
+  }
+}
+
+template <int Dim>
+void SecondLawWatch<Dim>::watch_entropy(double time, double const* temperature) {
+  PairGeometry<Dim> const& geometry = scene_.geometry();
+  auto const refuse = [&](char const* why) {
+    result_.smallest_entropy_production.reset();
+    if (result_.remark.empty()) result_.remark = why;
+  };
+  if (!result_.remark.empty()) return refuse("");
+  double production = 0.0;
+  double turnover = 0.0;
+  for (std::size_t i = 0; i < rate_.size(); ++i) {
+    if (!(temperature[i] > 0.0)) return refuse("entropy needs temperatures above zero");
+    double const gain = scene_.particles().masses()[i] * rate_[i] / temperature[i];
+    production += gain;
+    turnover += std::abs(gain);
+  }
+  std::vector<double> const power = scene_.wall_power();
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    if (power[w] == 0.0) continue;
+    Wall<Dim> const& wall = geometry.walls[w];
+    WallContacts<Dim> const& contacts = geometry.contacts[w];
+    if (!wall.temperature) return refuse("entropy needs the temperature of every wall that gives heat");
+    Range range;
+    for (std::size_t c = 0; c < contacts.size(); ++c) range.include(wall.temperature(contacts.foot[c], time));
+    if (!(range.lowest > 0.0)) return refuse("entropy needs temperatures above zero");
+    if (range.highest - range.lowest > round_off_)
+      return refuse("entropy needs walls of one temperature each");
+    production -= power[w] / range.lowest;
+    turnover += std::abs(power[w]) / range.lowest;
+  }
+  if (!(turnover > 0.0)) return;
+  double const relative = production / turnover;
+  if (!result_.smallest_entropy_production || relative < *result_.smallest_entropy_production)
+    result_.smallest_entropy_production = relative;
+}
+
+template class SecondLawWatch<1>;
+template class SecondLawWatch<2>;
+template class SecondLawWatch<3>;
+
+}  // namespace sphverify

@@ -1,0 +1,461 @@
+#include "reports/html/page_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <map>
+
+#include "reports/table/series_row.hpp"
+
+namespace sphverify {
+
+namespace {
+
+// Numbers that a page may hold of each kind; with about 7 bytes each they leave room for the rest.
+constexpr std::size_t most_profile_numbers = 120000;
+constexpr std::size_t most_history_numbers = 40000;
+constexpr std::size_t most_spectrum_numbers = 60000;
+constexpr std::size_t fewest_points = 16;
+
+/// Five digits are more than a plot can show.
+Json number(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
+}
+Json number(Number const& value) { return value ? number(*value) : Json(nullptr); }
+
+double norm_of(NormSet const& norms, std::string const& name) {
+  return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
+}
+
+/// Words that occur often are written once and then named by their number.
+class Dictionary {
+ public:
+  Json operator()(std::string const& word) {
+    auto const [place, is_new] = numbers_.try_emplace(word, numbers_.size());
+    if (is_new) words_.push_back(word);
+    return place->second;
+  }
+  Json const& words() const { return words_; }
+
+ private:
+  std::map<std::string, std::size_t> numbers_;
+  Json words_ = Json::array();
+};
+
+/// `count` indices spread evenly over [0, size), the first and the last among them.
+std::vector<std::size_t> spread_evenly(std::size_t size, std::size_t count) {
+  std::vector<std::size_t> indices;
+  if (size <= count) {
+    for (std::size_t i = 0; i < size; ++i) indices.push_back(i);
+    return indices;
+  }
+  for (std::size_t i = 0; i < count; ++i) indices.push_back(i * (size - 1) / (count - 1));
+  return indices;
+}
+
+Json picked(std::vector<double> const& values, std::vector<std::size_t> const& indices) {
+  Json list = Json::array();
+  for (std::size_t const i : indices) list.push_back(i < values.size() ? number(values[i]) : Json(nullptr));
+  return list;
+}
+
+/// Component k of every particle; null where there is none.
+Json picked(std::vector<std::vector<double>> const& values, std::size_t k,
+            std::vector<std::size_t> const& indices) {
+  Json list = Json::array();
+  for (std::size_t const i : indices) {
+    bool const exists = i < values.size() && k < values[i].size();
+    list.push_back(exists ? number(values[i][k]) : Json(nullptr));
+  }
+  return list;
+}
+
+std::string layout_text(LayoutChoice const& layout) {
+  return layout.id == "jittered" ? fmt::format("jittered {:g}", layout.amplitude) : layout.id;
+}
+
+std::string viscosity_text(ViscosityChoice const& v) {
+  return v == ViscosityChoice{} ? "off" : fmt::format("{:g}, {:g}", v.alpha, v.beta);
+}
+
+/// The settings beside the formulation, in the order in which the page names them.
+Json settings_json(Discretisation const& d, double smoothing_exponent, Dictionary& word) {
+  return {{"density", word(d.density)},
+          {"closure", word(d.closure)},
+          {"face weight", word(d.face_weight)},
+          {"layout", word(layout_text(d.layout))},
+          {"h/dx", word(fmt::format("{:g}", d.smoothing_ratio))},
+          {"refinement",
+           word(smoothing_exponent == 0.0 ? "h/dx fixed" : fmt::format("h/dx ~ N^{:g}", smoothing_exponent))},
+          {"smoothing", word(d.smoothing)},
+          {"viscosity", word(viscosity_text(d.viscosity))},
+          {"wall motion", word(d.wall_motion)},
+          {"integrator", word(d.integrator)},
+          {"kernel", word(d.kernel)}};
+}
+
+void put_formulation(Json& json, FormulationChoice const& f, std::string const& label, Dictionary& word) {
+  json["label"] = word(label);
+  json["formulation"] = word(f.id);
+  json["work"] = f.work.empty() ? Json(nullptr) : word(f.work);
+  json["conduction"] = f.conduction.empty() ? Json(nullptr) : word(f.conduction);
+  json["walls"] = f.walls;
+}
+
+/// The same norm of the exact field at the finest level that has it.
+double scale_of(Series const& series, std::vector<RunRecord> const& runs, OrderEntry const& entry) {
+  int finest = -1;
+  double scale = 0.0;
+  for (std::size_t const index : series.runs) {
+    RunRecord const& run = runs[index];
+    auto const field = run.errors.find(entry.field);
+    if (field == run.errors.end() || run.resolution <= finest) continue;
+    auto const region = field->second.find(entry.region);
+    if (region == field->second.end()) continue;
+    finest = run.resolution;
+    scale = norm_of(region->second.scale, entry.norm);
+  }
+  return scale;
+}
+
+Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dictionary& word) {
+  struct Level {
+    double spacing = NAN;
+    int replicates = 0, failed = 0, timed = 0;
+    std::string status;
+    double seconds = 0.0;
+  };
+  std::map<int, Level> levels;
+  for (std::size_t const index : series.runs) {
+    RunRecord const& run = runs[index];
+    Level& level = levels[run.resolution];
+    level.spacing = run.spacing;
+    ++level.replicates;
+    if (run.status != "ok") {
+      ++level.failed;
+      level.status = run.status;
+    } else if (run.cost) {
+      level.seconds += run.cost->seconds;
+      ++level.timed;
+    }
+  }
+  Json list = Json::array();
+  for (auto const& [resolution, level] : levels) {
+    list.push_back({resolution, number(level.spacing), level.replicates, level.failed,
+                    level.failed > 0 ? word(level.status) : Json(nullptr),
+                    level.timed > 0 ? number(level.seconds / level.timed) : Json(nullptr)});
+  }
+  return list;
+}
+
+Json orders_json(Series const& series, std::vector<RunRecord> const& runs, Dictionary& word) {
+  Json list = Json::array();
+  for (OrderEntry const& entry : series.orders) {
+    // Levels of all runs are listed beside; an entry's own may be fewer.
+    std::map<int, SeriesLevel const*> by_resolution;
+    for (std::size_t const index : series.runs) by_resolution[runs[index].resolution] = nullptr;
+    for (SeriesLevel const& level : entry.levels) {
+      if (auto const place = by_resolution.find(level.resolution); place != by_resolution.end())
+        place->second = &level;
+    }
+    Json errors = Json::array();
+    Json spreads = Json::array();
+    bool spread_exists = false;
+    for (auto const& [resolution, level] : by_resolution) {
+      errors.push_back(level ? number(level->error) : Json(nullptr));
+      spreads.push_back(level ? number(level->spread) : Json(nullptr));
+      spread_exists = spread_exists || !spreads.back().is_null();
+    }
+    Json row = {word(entry.field),
+                word(entry.region),
+                word(entry.norm),
+                entry.allowed,
+                number(entry.observed.order),
+                number(entry.observed.lower),
+                number(entry.observed.upper),
+                word(entry.observed.verdict),
+                number(scale_of(series, runs, entry)),
+                errors};
+    if (spread_exists) row.push_back(spreads);
+    list.push_back(std::move(row));
+  }
+  return list;
+}
+
+Json row_json(SeriesRow const& row) {
+  return {{"field", row.field},
+          {"norm", row.norm},
+          {"finest", row.finest},
+          {"verdict", row.verdict},
+          {"failures", row.failures},
+          {"error", number(row.error)},
+          {"relative_error", number(row.relative_error)},
+          {"order", number(row.order)},
+          {"half_width", number(row.half_width)},
+          {"seconds", number(row.seconds)},
+          {"seconds_to_percent", number(row.seconds_to_percent)},
+          {"percent_is_bound", row.percent_is_bound},
+          {"wall_flux_error", number(row.wall_flux_error)},
+          {"energy_drift", number(row.energy_drift)},
+          {"wall_budget_defect", number(row.wall_budget_defect)},
+          {"plateau_pressure", number(row.plateau_pressure)},
+          {"wall_heating", number(row.wall_heating)},
+          {"wall_impulse_defect", number(row.wall_impulse_defect)},
+          {"momentum_drift", number(row.momentum_drift)},
+          {"time_error_share", number(row.time_error_share)}};
+}
+
+Json series_json(Series const& series, SeriesRow const& row, std::vector<RunRecord> const& runs,
+                 Dictionary& word) {
+  Json json = {{"case", word(series.case_id)}, {"parameters", word(row.parameters)}};
+  put_formulation(json, series.formulation, series.label, word);
+  json["settings"] = settings_json(series.discretisation, series.smoothing_exponent, word);
+  json["row"] = row_json(row);
+  json["levels"] = levels_json(series, runs, word);
+  json["orders"] = orders_json(series, runs, word);
+  return json;
+}
+
+Number relative(Number const& value, Budget const& budget) {
+  double const scale = std::max(std::abs(budget.initial), std::abs(budget.final));
+  return value ? Number(std::abs(*value) / (scale > 0.0 ? scale : 1.0)) : Number();
+}
+
+Json runs_json(Results const& results, std::vector<std::size_t> const& series_of, Dictionary& word) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < results.runs.size(); ++i) {
+    RunRecord const& run = results.runs[i];
+    Number flux_error, drift, defect;
+    for (WallFlux const& wall : run.wall_flux) {
+      if (wall.scale > 0.0)
+        flux_error = std::max(flux_error.value_or(0.0), std::abs(wall.error) / wall.scale);
+    }
+    if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
+      drift = relative(energy->second.drift, energy->second);
+      defect = relative(energy->second.wall_budget_defect, energy->second);
+    }
+    Cost const* cost = run.cost ? &*run.cost : nullptr;
+    Stability const* stability = run.stability ? &*run.stability : nullptr;
+    bool const has_seed =
+        run.discretisation.layout.id == "jittered" || run.discretisation.layout.id == "glass";
+    rows.push_back(
+        {series_of[i] < results.series.size() ? Json(series_of[i]) : Json(nullptr), run.resolution,
+         run.particles, has_seed ? Json(run.discretisation.layout.seed) : Json(nullptr), word(run.status),
+         run.reason.empty() ? Json(nullptr) : word(run.reason), number(run.smoothing_length),
+         cost ? number(cost->seconds) : Json(nullptr), cost ? Json(cost->steps) : Json(nullptr),
+         cost ? Json(cost->rate_evaluations) : Json(nullptr),
+         cost ? Json(cost->pair_interactions) : Json(nullptr), cost ? Json(cost->peak_bytes) : Json(nullptr),
+         number(drift), number(defect), number(flux_error),
+         run.integration ? number(run.integration->time_error_share) : Json(nullptr),
+         stability ? number(stability->spectral_abscissa) : Json(nullptr),
+         stability ? number(stability->spectral_radius) : Json(nullptr),
+         stability ? number(stability->largest_stable_step) : Json(nullptr)});
+  }
+  return {{"columns",
+           {"series", "resolution", "particles", "seed", "status", "reason", "smoothing_length", "seconds",
+            "steps", "rate_evaluations", "pair_interactions", "peak_bytes", "energy_drift",
+            "wall_budget_defect", "wall_flux_error", "time_error_share", "spectral_abscissa",
+            "spectral_radius", "largest_stable_step"}},
+          {"rows", rows}};
+}
+
+/// Of each series the run of the finest resolution that holds something; between replicates the one of the
+/// largest `weight`, else the first.
+std::vector<std::pair<std::size_t, std::size_t>> one_per_series(
+    Results const& results, std::function<bool(RunRecord const&)> const& holds,
+    std::function<double(RunRecord const&)> const& weight) {
+  std::vector<std::pair<std::size_t, std::size_t>> chosen;
+  for (std::size_t s = 0; s < results.series.size(); ++s) {
+    RunRecord const* best = nullptr;
+    std::size_t best_index = 0;
+    for (std::size_t const index : results.series[s].runs) {
+      RunRecord const& run = results.runs[index];
+      if (!holds(run)) continue;
+      bool const is_better = best == nullptr || run.resolution > best->resolution ||
+                             (run.resolution == best->resolution && weight(run) > weight(*best));
+      if (!is_better) continue;
+      best = &run;
+      best_index = index;
+    }
+    if (best != nullptr) chosen.emplace_back(s, best_index);
+  }
+  return chosen;
+}
+
+double no_weight(RunRecord const&) { return 0.0; }
+
+/// Points that each of `count` curves may have.
+std::size_t points_each(std::size_t most_numbers, std::size_t numbers_per_point) {
+  return std::max(fewest_points, most_numbers / std::max<std::size_t>(1, numbers_per_point));
+}
+
+Json profiles_json(Results const& results, std::size_t share) {
+  auto const chosen = one_per_series(
+      results, [](RunRecord const& run) { return run.profile.has_value(); }, no_weight);
+  std::size_t per_point = 0;
+  for (auto const& [series, index] : chosen) {
+    Profile const& p = *results.runs[index].profile;
+    per_point += (p.position.empty() ? 0 : p.position[0].size()) + 2 * p.computed.size();
+  }
+  std::size_t const points = points_each(most_profile_numbers / share, per_point);
+  Json list = Json::array();
+  for (auto const& [series, index] : chosen) {
+    RunRecord const& run = results.runs[index];
+    Profile const& p = *run.profile;
+    auto const kept = spread_evenly(p.position.size(), points);
+    Json json = {
+        {"series", series}, {"run", index}, {"particles", p.position.size()}, {"position", Json::array()}};
+    std::size_t const dimension = p.position.empty() ? 0 : p.position[0].size();
+    for (std::size_t k = 0; k < dimension; ++k) json["position"].push_back(picked(p.position, k, kept));
+    json["computed"] = Json::object();
+    json["exact"] = Json::object();
+    for (auto const& [field, values] : p.computed) json["computed"][field] = picked(values, 0, kept);
+    for (auto const& [field, values] : p.exact) json["exact"][field] = picked(values, 0, kept);
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json histories_json(Results const& results, std::size_t share) {
+  auto const chosen = one_per_series(
+      results, [](RunRecord const& run) { return run.history.has_value(); }, no_weight);
+  std::size_t per_point = 0;
+  for (auto const& [series, index] : chosen) {
+    History const& h = *results.runs[index].history;
+    per_point += 4 + h.wall_impulse_defect.size() + h.wall_energy_defect.size();
+  }
+  std::size_t const points = points_each(most_history_numbers / share, per_point);
+  Json list = Json::array();
+  for (auto const& [series, index] : chosen) {
+    RunRecord const& run = results.runs[index];
+    History const& h = *run.history;
+    auto const kept = spread_evenly(h.time.size(), points);
+    Json json = {{"series", series},
+                 {"run", index},
+                 {"time", picked(h.time, kept)},
+                 {"energy", picked(h.energy, kept)},
+                 {"exchanged", picked(h.exchanged, kept)},
+                 {"drift", Json::array()}};
+    // Differences of nearly equal numbers are taken before rounding.
+    if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
+      Budget const& b = energy->second;
+      for (std::size_t const i : kept) {
+        bool const exists = i < h.energy.size() && i < h.exchanged.size();
+        json["drift"].push_back(exists ? number(h.energy[i] - b.initial - h.exchanged[i]) : Json(nullptr));
+      }
+      json["scale"] = number(std::max(std::abs(b.initial), std::abs(b.final)));
+    }
+    if (!h.momentum.empty()) json["momentum"] = picked(h.momentum, kept);
+    json["wall_impulse_defect"] = Json::array();
+    json["wall_energy_defect"] = Json::array();
+    for (auto const& wall : h.wall_impulse_defect) json["wall_impulse_defect"].push_back(picked(wall, kept));
+    for (auto const& wall : h.wall_energy_defect) json["wall_energy_defect"].push_back(picked(wall, kept));
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+/// The largest real part: the replicate that grows most is the one to look at.
+double growth(RunRecord const& run) {
+  double largest = -INFINITY;
+  for (auto const& lambda : run.spectrum) {
+    if (!lambda.empty()) largest = std::max(largest, lambda[0]);
+  }
+  return largest;
+}
+
+Json spectra_json(Results const& results, std::size_t share) {
+  auto const chosen = one_per_series(
+      results, [](RunRecord const& run) { return !run.spectrum.empty(); }, growth);
+  std::size_t const points = points_each(most_spectrum_numbers / share, 2 * chosen.size());
+  Json list = Json::array();
+  for (auto const& [series, index] : chosen) {
+    auto spectrum = results.runs[index].spectrum;
+    // Sorted by growth, so that thinning keeps the mode that grows most and the one that decays fastest.
+    std::erase_if(spectrum, [](auto const& lambda) { return lambda.size() != 2; });
+    std::sort(spectrum.begin(), spectrum.end(), std::greater<>());
+    auto const kept = spread_evenly(spectrum.size(), points);
+    list.push_back({{"series", series},
+                    {"run", index},
+                    {"modes", spectrum.size()},
+                    {"real", picked(spectrum, 0, kept)},
+                    {"imaginary", picked(spectrum, 1, kept)}});
+  }
+  return list;
+}
+
+Json envelopes_json(Results const& results, Dictionary& word) {
+  Json list = Json::array();
+  for (Envelope const& e : results.envelopes) {
+    Json json = {{"case", word(e.case_id)}};
+    put_formulation(json, e.formulation, e.label, word);
+    json["settings"] = settings_json(e.discretisation, 0.0, word);
+    json["resolution"] = e.resolution;
+    json["parameter"] = e.parameter;
+    json["logarithmic"] = e.logarithmic;
+    json["held"] = number(e.held);
+    json["failed"] = number(e.failed);
+    json["status"] = e.status;
+    json["reason"] = e.reason;
+    json["points"] = Json::array();
+    for (auto const& point : e.points) json["points"].push_back({number(point.value), word(point.status)});
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+Json skipped_json(Results const& results) {
+  Json list = Json::array();
+  for (Skipped const& s : results.skipped) list.push_back({s.case_id, s.formulation, s.reason});
+  return list;
+}
+
+Json document_json(NamedResults const& document, SeriesRow const* rows, std::size_t share) {
+  Results const& results = document.results;
+  Context const& c = results.context;
+  Dictionary word;
+  std::vector<std::size_t> series_of(results.runs.size(), results.series.size());
+  Json series = Json::array();
+  for (std::size_t s = 0; s < results.series.size(); ++s) {
+    for (std::size_t const run : results.series[s].runs) series_of[run] = s;
+    series.push_back(series_json(results.series[s], rows[s], results.runs, word));
+  }
+  Json json = {{"name", document.name},
+               {"context",
+                {{"version", c.version},
+                 {"commit", c.commit},
+                 {"compiler", c.compiler},
+                 {"flags", c.flags},
+                 {"processor", c.processor},
+                 {"cores", c.cores},
+                 {"date", c.date}}},
+               {"study", Json::parse(results.study)},
+               {"series", std::move(series)},
+               {"runs", runs_json(results, series_of, word)},
+               {"profiles", profiles_json(results, share)},
+               {"histories", histories_json(results, share)},
+               {"spectra", spectra_json(results, share)},
+               {"envelopes", envelopes_json(results, word)},
+               {"skipped", skipped_json(results)}};
+  json["words"] = word.words();
+  return json;
+}
+
+}  // namespace
+
+Json page_data(std::vector<NamedResults> const& documents) {
+  auto const rows = series_rows(documents, "all", "");
+  Json list = Json::array();
+  std::size_t first_row = 0;
+  for (NamedResults const& document : documents) {
+    list.push_back(document_json(document, rows.data() + first_row, documents.size()));
+    first_row += document.results.series.size();
+  }
+  return list;
+}
+
+}  // namespace sphverify

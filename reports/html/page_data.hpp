@@ -1,0 +1,15 @@
+#pragma once
+
+#include <vector>
+
+#include "reports/json/node.hpp"
+#include "reports/table/compare.hpp"
+
+namespace sphverify {
+
+/// What the report's page draws, for its scripts alone (reports/page/data.js reads it): a list of documents.
+/// Numbers are rounded to five digits. Of every ladder one profile, one history and one spectrum remain,
+/// thinned so that the page stays below 3 MB.
+Json page_data(std::vector<NamedResults> const& documents);
+
+}  // namespace sphverify

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "reports/table/compare.hpp"
+
+namespace sphverify {
+
+/// One self-contained HTML page that shows the documents one after another: verdicts, plots, tables. It needs
+/// no network. Throws std::runtime_error if the program was built without the plotting library.
+std::string report_page(std::vector<NamedResults> const& documents);
+
+}  // namespace sphverify

@@ -1,0 +1,178 @@
+// The embedded documents, with words and columns put back in their places.
+
+function readDocuments() {
+  return JSON.parse(document.getElementById("results").textContent).map(readDocument);
+}
+
+function readDocument(raw, number) {
+  const word = (index) => (index === null || index === undefined ? null : raw.words[index]);
+  const series = raw.series.map((entry, index) => readSeries(entry, index, word));
+  const doc = {
+    ...raw,
+    id: `document-${number + 1}`,
+    series,
+    runs: readRuns(raw.runs, series, word),
+    envelopes: raw.envelopes.map((entry) => readEnvelope(entry, word)),
+  };
+  doc.cases = casesOf(doc);
+  nameFormulations([...series, ...doc.envelopes]);
+  for (const list of [doc.profiles, doc.histories, doc.spectra]) {
+    for (const entry of list) {
+      entry.run = doc.runs[entry.run];
+      entry.series = series[entry.series];
+    }
+  }
+  return doc;
+}
+
+function readSettings(raw, word) {
+  return Object.fromEntries(Object.entries(raw).map(([key, value]) => [key, word(value)]));
+}
+
+function readSeries(raw, index, word) {
+  const levels = raw.levels.map(([resolution, spacing, replicates, failed, status, seconds]) => ({
+    resolution,
+    spacing,
+    replicates,
+    failed,
+    status: word(status),
+    seconds,
+  }));
+  const orders = raw.orders.map((row) => ({
+    field: word(row[0]),
+    region: word(row[1]),
+    norm: word(row[2]),
+    allowed: row[3],
+    order: row[4],
+    lower: row[5],
+    upper: row[6],
+    verdict: word(row[7]),
+    scale: row[8],
+    errors: row[9],
+    spreads: row[10] ?? row[9].map(() => null),
+  }));
+  return {
+    ...raw,
+    index,
+    levels,
+    orders,
+    case: word(raw.case),
+    parameters: word(raw.parameters),
+    label: word(raw.label),
+    formulation: word(raw.formulation),
+    work: word(raw.work),
+    conduction: word(raw.conduction),
+    settings: readSettings(raw.settings, word),
+  };
+}
+
+function readRuns({ columns, rows }, series, word) {
+  return rows.map((row) => {
+    const run = Object.fromEntries(columns.map((column, k) => [column, row[k]]));
+    run.status = word(run.status);
+    run.reason = word(run.reason);
+    run.series = run.series === null ? null : series[run.series];
+    return run;
+  });
+}
+
+function readEnvelope(raw, word) {
+  return {
+    ...raw,
+    case: word(raw.case),
+    label: word(raw.label),
+    formulation: word(raw.formulation),
+    work: word(raw.work),
+    conduction: word(raw.conduction),
+    settings: readSettings(raw.settings, word),
+    points: raw.points.map(([value, status]) => ({ value, status: word(status) })),
+  };
+}
+
+// A case is an identifier with its parameters; those that tell the cases of one identifier apart name it.
+function casesOf(doc) {
+  const cases = new Map();
+  for (const s of doc.series) {
+    const key = `${s.case} ${s.parameters}`;
+    if (!cases.has(key)) cases.set(key, { key, id: s.case, parameters: s.parameters, series: [] });
+    cases.get(key).series.push(s);
+    s.caseKey = key;
+  }
+  const list = [...cases.values()];
+  for (const one of list) {
+    const others = list.filter((other) => other !== one && other.id === one.id);
+    const words = parametersOf(one.parameters);
+    const own = words.filter((w) => others.some((other) => !parametersOf(other.parameters).includes(w)));
+    one.name = own.length ? `${one.id}, ${own.join(", ")}` : one.id;
+    for (const s of one.series) s.caseName = one.name;
+  }
+  return list;
+}
+
+// Lists in the text of the parameters hold blanks: a parameter begins where a name and "=" follow a blank.
+function parametersOf(text) {
+  return text === "" ? [] : text.split(/ (?=[a-z_]+=)/);
+}
+
+// "p-rho2 + total" for momentum/p-rho2 with work/total-energy, where p-rho2 has several partners.
+function nameFormulations(series) {
+  const bare = (id) => id.slice(id.indexOf("/") + 1).replace(/-energy$/, "");
+  for (const s of series) {
+    s.form = bare(s.formulation);
+    for (const kind of ["work", "conduction"]) {
+      const partners = new Set(
+        series.filter((o) => o.formulation === s.formulation && o[kind]).map((o) => o[kind]),
+      );
+      if (s[kind] && partners.size > 1) s.form += ` + ${bare(s[kind])}`;
+    }
+  }
+  // Forms of one bare name in different rooms keep their room.
+  for (const s of series) {
+    const rooms = new Set(
+      series.filter((o) => bare(o.formulation) === bare(s.formulation)).map((o) => o.formulation),
+    );
+    s.longForm = rooms.size > 1 ? s.form.replace(bare(s.formulation), s.formulation) : s.form;
+  }
+  for (const s of series) {
+    s.form = s.longForm;
+    s.name = s.walls ? s.form : `${s.form} (walls off)`;
+  }
+}
+
+// Settings in which some series differ: they tell panels and rows apart.
+function varyingSettings(series) {
+  if (series.length === 0) return [];
+  return Object.keys(series[0].settings).filter(
+    (key) => new Set(series.map((s) => s.settings[key])).size > 1,
+  );
+}
+
+// Words that speak for themselves go without the name of what they set.
+function settingText(series, keys) {
+  const text = (key) => (["layout", "refinement"].includes(key) ? "" : `${key} `) + series.settings[key];
+  return keys.map(text).join(" · ") || "one setting";
+}
+
+// Colour and symbol stand for the formulation, dashes and hollow symbols for the control without wall terms.
+function stylesOf(series) {
+  const forms = [...new Set(series.map((s) => s.form))];
+  const symbols = ["circle", "square", "triangle", "diamond", "star", "wye", "triangle2", "hexagon"];
+  return new Map(
+    series.map((s) => {
+      const k = forms.indexOf(s.form);
+      return [
+        s.name,
+        {
+          colour: `var(--series-${(k % 8) + 1})`,
+          symbol: symbols[(k + Math.floor(k / 8)) % symbols.length],
+          dash: s.walls ? "none" : "5 4",
+          hollow: !s.walls,
+        },
+      ];
+    }),
+  );
+}
+
+function orderEntry(series, { field, region, norm }) {
+  return series.orders.find((o) => o.field === field && o.region === region && o.norm === norm) ?? null;
+}

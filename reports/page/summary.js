@@ -1,0 +1,234 @@
+// The verdict on each case: which formulation gives 1% soonest, and which to avoid. All from the rows that
+// `sphverify compare` shows too: l1 where the solution jumps, l2 elsewhere, all particles.
+
+// A formulation whose smallest error is as many times the best one's is one to avoid, if none is timed to 1%.
+const farBehind = 10;
+
+const isBroken = (s) => s.row.failures !== "" || s.row.verdict === "diverging";
+
+function rankFormulations(one) {
+  const ranks = [...d3.group(one.series, (s) => s.name)].map(([name, series]) => rankOf(name, series));
+  const fastest = d3.min(ranks, (r) => r.seconds);
+  for (const r of ranks) r.ratio = r.seconds === null ? null : r.seconds / fastest;
+  // Those that reach 1% by time, then the others by error, then those that only fail.
+  const none = (value) => value ?? Infinity;
+  ranks.sort(
+    (a, b) =>
+      none(a.seconds) - none(b.seconds) ||
+      none(a.error) - none(b.error) ||
+      a.broken / a.ladders - b.broken / b.ladders ||
+      0,
+  );
+  return ranks;
+}
+
+function rankOf(name, series) {
+  // A ladder that diverges may pass below 1% on its way up: that is no merit.
+  const sound = series.filter((s) => !isBroken(s));
+  const held = sound.length ? sound : series.filter((s) => s.row.failures === "");
+  const reaching = sound.filter((s) => s.row.seconds_to_percent !== null);
+  const soonest = d3.least(reaching, (s) => s.row.seconds_to_percent);
+  const nearest = d3.least(
+    held.filter((s) => errorOf(s) !== null),
+    errorOf,
+  );
+  return {
+    name,
+    best: soonest ?? nearest ?? series[0],
+    seconds: soonest ? soonest.row.seconds_to_percent : null,
+    isBound: soonest ? soonest.row.percent_is_bound : false,
+    error: nearest ? errorOf(nearest) : null,
+    isRelative: nearest ? nearest.row.relative_error !== null : false,
+    ladders: series.length,
+    reached: reaching.length,
+    failing: series.filter((s) => s.row.failures !== ""),
+    diverging: series.filter((s) => s.row.failures === "" && s.row.verdict === "diverging"),
+    broken: series.filter(isBroken).length,
+  };
+}
+
+function errorOf(s) {
+  return s.row.relative_error ?? s.row.error;
+}
+
+// What all of some series have in common and not all others: "density summation".
+function commonSettings(some, all) {
+  const keys = varyingSettings(all).filter((key) => new Set(some.map((s) => s.settings[key])).size === 1);
+  return keys.length ? settingText(some[0], keys) : "";
+}
+
+// Settings of a ladder that tell it from the others of its case.
+function bestSettings(one, s) {
+  return settingText(s, varyingSettings(one.series));
+}
+
+function errorText(rank) {
+  if (rank.error === null) return "–";
+  return rank.isRelative ? formatPercent(rank.error) : `${formatNumber(rank.error)} (absolute)`;
+}
+
+// Ratios to the fastest; where a time is an upper bound, what that leaves of them.
+function ratioText(rank, first) {
+  if (rank.ratio === null) return "–";
+  if (rank === first) return "1";
+  if (rank.isBound && first.isBound) return "unknown";
+  return `${rank.isBound ? "≤ " : first.isBound ? "≥ " : ""}${formatRatio(rank.ratio)}`;
+}
+
+function verdictSentences(one, ranks) {
+  const isTimed = ranks.some((r) => r.seconds !== null);
+  const lines = [];
+  const [first, ...others] = ranks;
+  if (isTimed) {
+    // Below 1% on the coarsest level already: an upper bound, which may hide less than the first one's time.
+    const unsure = others.filter((r) => r.isBound);
+    lines.push([
+      "good",
+      `Soonest to 1%${unsure.length ? ", as far as can be told" : ""}: ${first.name}, ` +
+        `${first.isBound ? "at most " : ""}${formatSeconds(first.seconds)} (${bestSettings(one, first.best)}).`,
+    ]);
+    if (unsure.length) {
+      lines.push([
+        "",
+        `Perhaps as soon: ${unsure.map((r) => r.name).join(", ")}, below 1% on the coarsest level already.`,
+      ]);
+    }
+    const next = others.find((r) => r.seconds !== null && !r.isBound);
+    if (next) {
+      lines.push([
+        "",
+        `${unsure.length ? "Later" : "Next"}: ${next.name}, ${first.isBound ? "at least " : ""}` +
+          `${formatRatio(next.ratio)} times as long.`,
+      ]);
+    }
+  } else if (first.error !== null) {
+    const isHopeless = first.broken === first.ladders;
+    lines.push([
+      isHopeless ? "bad" : "good",
+      `${isHopeless ? "None converges; smallest" : "Smallest"} error: ${first.name}, ` +
+        `${errorText(first)} (${bestSettings(one, first.best)}).`,
+    ]);
+    const near = others.filter((r) => r.error !== null && r.error < 1.1 * first.error);
+    if (near.length) lines.push(["", `As near, within a tenth: ${near.map((r) => r.name).join(", ")}.`]);
+    if (first.isRelative && first.error > 0.01) lines.push(["bad", "None reaches 1%."]);
+  } else {
+    lines.push(["bad", "No formulation gave a number."]);
+  }
+  for (const r of ranks) {
+    const broken = r.broken;
+    const never = isTimed && r.reached === 0;
+    const isFar = !isTimed && r.error !== null && r.error > farBehind * first.error;
+    if (broken === 0 && !never && !isFar) continue;
+    const where = [...r.failing, ...r.diverging];
+    const common = where.length > 1 && where.length < r.ladders ? commonSettings(where, one.series) : "";
+    const parts = [];
+    if (r.failing.length) parts.push(`fails on ${r.failing.length} of ${plural(r.ladders, "ladder")}`);
+    if (r.diverging.length) parts.push(`diverges on ${r.diverging.length} of ${r.ladders}`);
+    if (never)
+      parts.push(r.error === null ? "never reaches 1%" : `never reaches 1%, ${errorText(r)} at best`);
+    if (isFar)
+      parts.push(`${errorText(r)} at best, ${formatRatio(r.error / first.error)} times the smallest`);
+    const isAvoided = never || isFar || broken === r.ladders;
+    lines.push([
+      isAvoided ? "bad" : "care",
+      `${isAvoided ? "Avoid" : "With care"}: ${r.name}: ${parts.join("; ")}` +
+        `${common ? ` (all that do with ${common})` : ""}.`,
+    ]);
+  }
+  return lines;
+}
+
+function verdictOf(doc, one) {
+  const ranks = rankFormulations(one);
+  const list = element("ul", { class: "sentences" });
+  for (const [kind, text] of verdictSentences(one, ranks)) list.append(element("li", { class: kind }, text));
+  const { field, norm, finest } = one.series.find((s) => s.row.field !== "")?.row ?? one.series[0].row;
+  const caption =
+    field === ""
+      ? "No error was measured."
+      : `Error of ${field}, ${norm}, all particles; N = ${finest} is finest. ` +
+        "Each formulation at its best setting.";
+  return element(
+    "article",
+    { class: "verdict" },
+    element("h4", {}, one.name),
+    element("p", { class: "parameters" }, one.parameters),
+    list,
+    rankTable(one, ranks, caption),
+  );
+}
+
+// Where the exact field is 0 there is no 1% of it, and a run that was not timed has no time.
+function noTimeText(rank) {
+  return rank.isRelative && rank.best.row.seconds !== null ? "never" : "–";
+}
+
+function rankTable(one, ranks, caption) {
+  const head = [
+    "formulation",
+    "time to 1%",
+    "ratio",
+    "order [95%]",
+    "verdict",
+    "smallest error",
+    "reach 1%",
+    "fail",
+    "diverge",
+    "best setting",
+  ];
+  const body = ranks.map((r) => {
+    const { row } = r.best;
+    const entry = orderEntry(r.best, { field: row.field, region: "all", norm: row.norm });
+    const onlyFails = r.failing.length === r.ladders;
+    const bound = r.isBound ? "≤ " : "";
+    return [
+      r.name,
+      onlyFails ? "fails" : r.seconds === null ? noTimeText(r) : bound + formatSeconds(r.seconds),
+      ratioText(r, ranks[0]),
+      entry && !onlyFails ? formatOrder(entry.order, entry.lower, entry.upper) : "–",
+      onlyFails ? row.failures : row.verdict || "–",
+      onlyFails ? "fails" : errorText(r),
+      `${r.reached} of ${r.ladders}`,
+      `${r.failing.length}`,
+      `${r.diverging.length}`,
+      bestSettings(one, r.best),
+    ];
+  });
+  // Columns that no row fills, such as times of a study that measured none, are left out.
+  const isTimed = one.series.some((s) => s.row.seconds !== null && s.row.relative_error !== null);
+  const kept = head.map((_, k) => isTimed || ![1, 2, 6].includes(k));
+  const rows = body.map((cells, i) => {
+    const isBad = ranks[i].failing.length === ranks[i].ladders;
+    const line = element("tr", { class: isBad ? "failed" : null });
+    cells.forEach((text, k) => {
+      if (kept[k]) line.append(element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : null }, text));
+    });
+    return line;
+  });
+  const table = element(
+    "div",
+    { class: "scroll", tabindex: "0", role: "region", "aria-label": `Verdict on ${one.name}` },
+    element(
+      "table",
+      {},
+      element("caption", { class: "hidden" }, `Verdict on ${one.name}`),
+      element(
+        "thead",
+        {},
+        element(
+          "tr",
+          {},
+          ...head.filter((_, k) => kept[k]).map((text) => element("th", { scope: "col" }, text)),
+        ),
+      ),
+      element("tbody", {}, ...rows),
+    ),
+  );
+  return element("div", {}, element("p", { class: "parameters" }, caption), table);
+}
+
+function summarySection(doc) {
+  if (doc.cases.length === 0)
+    return section(doc, "summary", "Verdict", element("p", {}, "The study ran nothing."));
+  return section(doc, "summary", "Verdict", ...doc.cases.map((one) => verdictOf(doc, one)));
+}

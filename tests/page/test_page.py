@@ -1,0 +1,420 @@
+"""Opens the page of `sphverify report` in headless Chromium: what it draws, and whether one can use it."""
+
+import base64
+import json
+import pathlib
+import sys
+import tempfile
+import time
+import unittest
+import xml.etree.ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
+import program  # noqa: E402
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+    from selenium.webdriver.support.ui import Select
+except ImportError as missing:
+    raise unittest.SkipTest(f"needs python3-selenium: {missing}")
+
+CHROMIUM, DRIVER = pathlib.Path("/usr/bin/chromium"), pathlib.Path("/usr/bin/chromedriver")
+FLAGS = [
+    "--headless=new",
+    "--no-sandbox",
+    "--disable-gpu",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+    "--window-size=1300,1000",
+]
+MOST_BYTES = 3_000_000
+HOSTILE = '</script><script>document.title = "caught"</script><!-- <img src=x onerror=alert(1)> {{data}} & "'
+
+# Of every kind of plot something, runs that fail, two cases and two settings.
+HEAT = {
+    "schema": "sphverify-study/1",
+    "name": "heat",
+    "cases": ["conduction/slab-dirichlet", "conduction/slab-insulated"],
+    "formulations": [
+        "conduction/brookshaw",
+        {"id": "conduction/brookshaw", "walls": "off"},
+        "conduction/campbell-flux",
+        {"id": "conduction/campbell-flux", "walls": "off"},
+    ],
+    "discretisation": {
+        "smoothing_ratio": 1.0,
+        "layout": ["lattice", {"id": "jittered", "amplitude": 0.1, "seeds": [1, 2, 3]}],
+    },
+    "resolution": [15, 25, 50],
+    "smoothing_exponent": 0.5,
+    "measure": ["error", "conservation", "cost", "stability", "profile", "history", "spectrum"],
+}
+GAS = {
+    "schema": "sphverify-study/1",
+    "name": "gas",
+    "cases": ["hydro/piston-pressure"],
+    "formulations": ["momentum/p-rho2", "momentum/sqrt-p", "conduction/brookshaw"],
+    "discretisation": {"density": "normalised", "closure": ["interpolated", "one-sided"]},
+    "resolution": [20, 40],
+    "measure": ["error", "conservation", "cost", "profile", "history"],
+}
+
+
+def envelopes_of(document):
+    """One envelope in the form of the results, which this study does not measure itself."""
+    series = document["series"][0]
+    run = document["runs"][series["runs"][0]]
+    keys = ["case", "parameters", "formulation", "work", "conduction", "walls", "label", "discretisation"]
+    held, failed = {"value": 0.1, "status": "ok"}, {"value": 0.3, "status": "unstable"}
+    return [
+        {key: run[key] for key in keys}
+        | {"resolution": 50, "parameter": "discretisation.layout.amplitude", "scale": "linear", "held": 0.1}
+        | {"failed": 0.3, "status": "unstable", "reason": "a mode grew", "points": [held, failed]}
+    ]
+
+
+def entry_of(series, field="temperature", region="all", norm="l2"):
+    return next(o for o in series["orders"] if (o["field"], o["region"], o["norm"]) == (field, region, norm))
+
+
+class PageTest(program.ProgramTest):
+    @classmethod
+    def setUpClass(cls):
+        if not CHROMIUM.exists() or not DRIVER.exists():
+            raise unittest.SkipTest("needs chromium and chromium-driver")
+        maker = program.ProgramTest()
+        folder = tempfile.TemporaryDirectory(prefix="sphverify-page-")
+        cls.addClassCleanup(folder.cleanup)
+        cls.place = maker.folder = pathlib.Path(folder.name)
+        cls.addClassCleanup(maker.doCleanups)
+        cls.heat = maker.study(HEAT, "heat.json")
+        cls.gas = maker.study(GAS, "gas.json")
+        odd = program.mutated(cls.heat, ("study", "name"), HOSTILE)
+        odd["envelopes"] = envelopes_of(odd)
+        odd["runs"][0]["status"], odd["runs"][0]["reason"] = "unstable", HOSTILE
+        maker.write("odd.json", odd)
+        maker.succeed("report", cls.place / "heat.json", "-o", cls.place / "heat.html")
+        maker.succeed("report", cls.place / "odd.json", "-o", cls.place / "odd.html")
+        both = [cls.place / "heat.json", cls.place / "gas.json"]
+        maker.succeed("report", *both, "-o", cls.place / "both.html")
+
+        options = webdriver.ChromeOptions()
+        options.binary_location = str(CHROMIUM)
+        for flag in [*FLAGS, f"--user-data-dir={cls.place / 'profile'}"]:
+            options.add_argument(flag)
+        options.add_experimental_option("prefs", {"download.default_directory": str(cls.place / "saved")})
+        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
+        cls.driver = webdriver.Chrome(options=options, service=Service(str(DRIVER)))
+        cls.addClassCleanup(cls.driver.quit)
+
+    def setUp(self):
+        super().setUp()
+        self.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": []})
+
+    def open(self, name):
+        for kind in ["browser", "performance"]:
+            self.driver.get_log(kind)
+        self.driver.get((self.place / name).as_uri())
+        self.assertEqual(self.script("return document.documentElement.dataset.drawn"), "true")
+
+    def script(self, text, *arguments):
+        return self.driver.execute_script(text, *arguments)
+
+    def all(self, selector):
+        return self.driver.find_elements(By.CSS_SELECTOR, selector)
+
+    def one(self, selector):
+        return self.driver.find_element(By.CSS_SELECTOR, selector)
+
+    def choose(self, label, value):
+        control = self.driver.find_element(By.XPATH, f"//label[span='{label}']/select")
+        Select(control).select_by_visible_text(value)
+
+    def count(self, section, marks):
+        """Marks of a section's plots, by a selector within them."""
+        return len(self.all(f"section.{section} figure svg {marks}"))
+
+    def cells(self, title, column):
+        """The texts of a column of a table."""
+        rows = "div[aria-label='%s'] table" % title
+        heads = [head.get_attribute("textContent") for head in self.all(f"{rows} thead th")]
+        k = heads.index(column) + 1
+        return [cell.get_attribute("textContent") for cell in self.all(f"{rows} tbody tr > :nth-child({k})")]
+
+    def assert_silent(self):
+        severe = [line for line in self.driver.get_log("browser") if line["level"] != "INFO"]
+        self.assertEqual(severe, [])
+
+    def test_asks_no_network_and_says_nothing_on_the_console(self):
+        for name in ["heat.html", "both.html", "odd.html"]:
+            with self.subTest(name):
+                self.open(name)
+                log = self.driver.get_log("performance")
+                messages = [json.loads(entry["message"])["message"] for entry in log]
+                asked = [
+                    message["params"]["request"]["url"]
+                    for message in messages
+                    if message["method"] == "Network.requestWillBeSent"
+                ]
+                outside = [url for url in asked if not url.startswith(("file:", "data:", "blob:"))]
+                self.assertEqual(outside, [])
+                self.assertEqual(len([url for url in asked if url.startswith("file:")]), 1)
+                self.assert_silent()
+                self.assertLess((self.place / name).stat().st_size, MOST_BYTES)
+
+    def test_draws_every_level_and_every_failure(self):
+        self.open("heat.html")
+        drawn = failed = 0
+        for series in self.heat["series"]:
+            if series["case"] != "conduction/slab-dirichlet":
+                continue
+            drawn += sum(level["error"] is not None for level in entry_of(series)["levels"])
+            broken = {
+                self.heat["runs"][run]["resolution"]
+                for run in series["runs"]
+                if self.heat["runs"][run]["status"] != "ok"
+            }
+            failed += len(broken)
+        self.assertGreater(failed, 0)
+        dots = "g[aria-label=dot]:not([aria-description=failed])"
+        circles = self.count("convergence", f"{dots} circle")
+        self.assertEqual(circles + self.count("convergence", f"{dots} path"), drawn)
+        self.assertEqual(self.count("convergence", "g[aria-description=failed] path"), failed)
+        self.assertEqual(self.count("convergence", "g[aria-description='reference slope'] path"), 4)
+        spread = [
+            level
+            for series in self.heat["series"]
+            if series["case"] == "conduction/slab-dirichlet"
+            for level in entry_of(series)["levels"]
+            if level["spread"] and level["error"] is not None
+        ]
+        bars = self.count("convergence", "g[aria-description='spread of replicates'] line")
+        self.assertEqual(bars, len(spread))
+
+    def test_draws_the_other_plots(self):
+        self.open("heat.html")
+        panels_of = {"convergence": 2, "cost": 1, "history": 2, "profile": 2, "spectrum": 2}
+        for section, panels in panels_of.items():
+            with self.subTest(section):
+                self.assertEqual(len(self.all(f"section.{section} figure")), panels)
+        self.assertEqual(self.count("cost", "g[aria-description='Pareto front'] path"), 1)
+        self.assertEqual(self.count("profile", "g[aria-description=exact] path"), 2)
+        # The histories are lines, one of each ladder that kept one.
+        kept = {
+            (run["label"], str(run["discretisation"]["layout"])[:5])
+            for run in self.heat["runs"]
+            if "history" in run and run["case"] == "conduction/slab-dirichlet"
+        }
+        self.assertEqual(self.count("history", "g[aria-label=line] path"), len(kept))
+        growing = self.count("spectrum", "g[aria-description='growing mode'] path")
+        self.assertGreater(growing, 0)
+        self.assertEqual(self.all("section.envelope"), [])
+        self.open("odd.html")
+        self.assertEqual(self.count("envelope", "g[aria-description=failed] path"), 1)
+        self.assertEqual(self.count("envelope", "g[aria-description=held] line"), 1)
+
+    def test_the_verdict_follows_from_the_numbers(self):
+        self.open("heat.html")
+        best = {}
+        for series in self.heat["series"]:
+            if series["case"] != "conduction/slab-dirichlet":
+                continue
+            runs = [self.heat["runs"][run] for run in series["runs"]]
+            finest = [run for run in runs if run["resolution"] == 50]
+            for target in series["time_to_error"]:
+                wanted = (target["field"], target["region"], target["norm"], target["relative"])
+                if wanted != ("temperature", "all", "l2", 0.01) or target["seconds"] is None:
+                    continue
+                if any(run["status"] != "ok" for run in finest) or entry_of(series)["verdict"] == "diverging":
+                    continue
+                name = series["label"].split("/")[1]
+                best[name] = min(best.get(name, float("inf")), target["seconds"])
+        heads = self.all("article.verdict:first-of-type tbody th")
+        ranked = [head.get_attribute("textContent") for head in heads]
+        self.assertEqual(ranked[: len(best)], sorted(best, key=best.get))
+        self.assertEqual(len(ranked), 4)
+        sentences = self.one("article.verdict:first-of-type .sentences").text
+        self.assertIn(ranked[0], sentences.split("\n")[0])
+        self.assertIn("Avoid: campbell-flux (walls off): fails on 2 of 2 ladders", sentences)
+        self.assertEqual(len(self.all("article.verdict:first-of-type tr.failed")), 1)
+
+    def test_failures_are_listed_with_their_reasons(self):
+        self.open("heat.html")
+        failed = [run for run in self.heat["runs"] if run["status"] != "ok"]
+        self.assertEqual(self.cells("Failures", "reason"), [run["reason"] for run in failed])
+
+    def test_filters_change_plots_and_tables(self):
+        self.open("heat.html")
+        before = self.count("convergence", "circle")
+        rows = len(self.cells("Ladders", "formulation"))
+        self.driver.find_element(By.XPATH, "//fieldset//label[span='brookshaw (walls off)']/input").click()
+        self.assertLess(self.count("convergence", "circle"), before)
+        self.assertEqual(len(self.cells("Ladders", "formulation")), rows - 2)
+        self.choose("layout", "lattice")
+        self.assertEqual(len(self.all("section.convergence figure")), 1)
+        self.assertEqual(len(self.cells("Ladders", "formulation")), 3)
+        self.choose("case", "conduction/slab-insulated")
+        self.assertEqual(set(self.cells("Ladders", "case")), {"conduction/slab-insulated"})
+        self.driver.find_element(By.XPATH, "//label[span[contains(., 'all cases')]]/input").click()
+        self.assertEqual(len(set(self.cells("Ladders", "case"))), 2)
+        search = self.one("section.tables .table input[type=search]")
+        search.send_keys("campbell DIRICHLET")
+        self.assertEqual(set(self.cells("Ladders", "case")), {"conduction/slab-dirichlet"})
+        self.assertIn(" of ", self.one("section.tables .table .count").text)
+        self.assert_silent()
+
+    def test_tables_sort_by_keyboard(self):
+        self.open("heat.html")
+        heads = self.all("div[aria-label=Ladders] thead th")
+        head = next(h for h in heads if h.get_attribute("textContent") == "run time")
+        self.assertEqual(head.get_attribute("aria-sort"), "none")
+        button = head.find_element(By.TAG_NAME, "button")
+        seconds = []
+        for order in ["ascending", "descending"]:
+            button.send_keys(Keys.ENTER)
+            self.assertEqual(head.get_attribute("aria-sort"), order)
+            units = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
+            texts = self.cells("Ladders", "run time")
+            numbers = [float(t.split()[0]) * units[t.split()[1]] for t in texts if t != "–"]
+            # A ladder that failed has no time and stands last either way.
+            self.assertEqual(texts[-1], "–")
+            seconds.append(numbers)
+        self.assertEqual(seconds[0], sorted(seconds[0]))
+        self.assertEqual(seconds[1], sorted(seconds[0], reverse=True))
+
+    def test_works_by_keyboard(self):
+        self.open("heat.html")
+        active = self.driver.switch_to.active_element
+        active.send_keys(Keys.TAB)
+        self.assertEqual(self.driver.switch_to.active_element.get_attribute("class"), "skip")
+        stops = set()
+        for _ in range(60):
+            element = self.driver.switch_to.active_element
+            element.send_keys(Keys.TAB)
+            stops.add(self.script("const e = document.activeElement; return e.tagName + (e.type ?? '')"))
+        for stop in ["A", "BUTTONbutton", "SELECTselect-one", "INPUTcheckbox", "SUMMARY", "DIV"]:
+            self.assertIn(stop, stops)
+        box = self.driver.find_element(By.XPATH, "//fieldset//label[span='brookshaw']/input")
+        before = self.count("convergence", "circle")
+        box.send_keys(Keys.SPACE)
+        self.assertLess(self.count("convergence", "circle"), before)
+        # What is drawn anew does not take the focus away.
+        focused = self.script("return document.activeElement.closest('label').textContent")
+        self.assertEqual(focused, "brookshaw")
+
+    def saved(self, suffix):
+        for _ in range(100):
+            files = list((self.place / "saved").glob(f"*{suffix}"))
+            if files and files[0].stat().st_size > 0:
+                return files[0]
+            time.sleep(0.1)
+        self.fail(f"no {suffix} was saved")
+
+    def test_saves_plots_as_files_that_stand_alone(self):
+        self.open("heat.html")
+        for button in self.all("section.convergence figure:first-child .save button"):
+            button.click()
+        svg = self.saved(".svg").read_text()
+        root = xml.etree.ElementTree.fromstring(svg)
+        self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
+        for word in ["var(", "currentColor", "<style", "href", "class="]:
+            self.assertNotIn(word, svg)
+        texts = [node.text for node in root.iter("{http://www.w3.org/2000/svg}text")]
+        for name in ["brookshaw", "brookshaw (walls off)", "campbell-flux", "campbell-flux (walls off)"]:
+            self.assertIn(name, texts)
+        self.assertEqual(self.saved(".png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assert_silent()
+
+    def background(self):
+        return self.script("return getComputedStyle(document.body).backgroundColor")
+
+    def test_is_dark_and_light(self):
+        self.open("heat.html")
+        for scheme, colour in [("dark", "rgb(20, 23, 28)"), ("light", "rgb(255, 255, 255)")]:
+            features = [{"name": "prefers-color-scheme", "value": scheme}]
+            self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+            self.assertEqual(self.background(), colour)
+        button = self.one("#theme")
+        for theme, colour in [("light", "rgb(255, 255, 255)"), ("dark", "rgb(20, 23, 28)")]:
+            button.send_keys(Keys.ENTER)
+            self.assertEqual(button.text, f"Colours: {theme}")
+            self.assertEqual(self.background(), colour)
+
+    def test_fits_a_phone(self):
+        phone = {"width": 360, "height": 800, "deviceScaleFactor": 2, "mobile": True}
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", phone)
+        for name in ["both.html", "odd.html"]:
+            self.open(name)
+            self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 360)
+        plot = self.script("return document.querySelector('section.cost svg').clientWidth")
+        self.assertLessEqual(plot, 360)
+
+    def test_prints(self):
+        self.open("heat.html")
+        pdf = base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {})["data"])
+        self.assertTrue(pdf.startswith(b"%PDF"))
+        page = {"width": 1040, "height": 700, "deviceScaleFactor": 1, "mobile": False}  # A4, landscape
+        self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", page)
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+        self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 1040)
+        self.assertEqual(self.background(), "rgb(255, 255, 255)")
+
+    def test_text_of_the_results_stays_text(self):
+        self.open("odd.html")
+        self.assertEqual(self.driver.title, "sphverify · odd")
+        self.assertEqual(self.one("h2").text, HOSTILE)
+        self.assertEqual(self.all("img"), [])
+        self.assertIn(HOSTILE, self.cells("Failures", "reason"))
+
+    def test_several_documents_are_shown_but_not_compared(self):
+        self.open("both.html")
+        self.assertEqual([h.text for h in self.all("h2")], ["heat", "gas"])
+        self.assertIn("not compared", self.one("#documents > .note").text)
+        ids = self.script("return [...document.querySelectorAll('[id]')].map(e => e.id)")
+        self.assertEqual(len(ids), len(set(ids)))
+        # A conduction form does not move a gas.
+        skipped = self.cells("Skipped", "reason")
+        self.assertEqual(len(skipped), len(self.gas["skipped"]))
+
+    def test_says_what_ran(self):
+        self.open("heat.html")
+        facts = self.one(".context dl").text
+        for key in ["version", "commit", "compiler", "processor"]:
+            self.assertIn(self.heat["context"][key], facts)
+        self.assertIn(f"{len(self.heat['runs'])} runs", facts)
+
+    def test_drawing_takes_little_time(self):
+        # Printed, not judged: timings never decide a test.
+        for name in ["heat.html", "both.html"]:
+            start = time.monotonic()
+            self.open(name)
+            size = (self.place / name).stat().st_size
+            print(f"{name}: {size} bytes, {time.monotonic() - start:.1f} s to open and draw", file=sys.stderr)
+
+
+class ReportCommandTest(program.ProgramTest):
+    def test_refuses_what_is_not_a_results_document(self):
+        path = self.write("bad.json", {"schema": "sphverify-study/1"})
+        self.assert_user_error(self.run_program("report", path), "bad.json", "schema")
+        self.assert_user_error(self.run_program("report", self.folder / "none.json"), "none.json")
+
+    def test_refuses_to_overwrite_its_input(self):
+        self.study(program.small_study())
+        path = self.folder / "results.json"
+        self.assert_user_error(self.run_program("report", path, "-o", path), "results.json")
+
+    def test_writes_to_standard_output_by_default(self):
+        self.study(program.small_study())
+        page = self.succeed("report", self.folder / "results.json")
+        self.assertTrue(page.startswith("<!DOCTYPE html>"))
+        self.assertNotIn("{{", page.split('<script type="application/json"')[0])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,190 @@
+#include "harness/gate/judge.hpp"
+
+#include <fmt/format.h>
+
+#include <boost/test/unit_test.hpp>
+
+#include "reports/json/results_json.hpp"
+#include "tests/unit/harness/gate/small_results.hpp"
+
+BOOST_AUTO_TEST_SUITE(harness_gate_judge)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+GateVerdict judged(std::string const& gate, Results const& results, Baselines const& baselines = {}) {
+  return judge(gates_of(gate), results, baselines).at(0);
+}
+
+std::string outcome(std::string const& gate, Results const& results) {
+  return std::string(word(judged(gate, results).verdict));
+}
+
+/// l2 errors 16e-4, 4e-4, 1e-4 at N = 25, 50, 100.
+Results const& smooth() {
+  static Results const results = results_of(second_order());
+  return results;
+}
+
+BOOST_AUTO_TEST_CASE(limits_pass_and_fail_and_take_their_ends) {
+  std::string const error = R"("measure": "error", )";
+  for (auto const& [limit, expected] : {std::pair{R"("maximum": 2e-4)", "passed"},
+                                        {R"("maximum": 1e-4)", "passed"},
+                                        {R"("maximum": 9e-5)", "failed"},
+                                        {R"("minimum": 1e-4)", "passed"},
+                                        {R"("minimum": 2e-4)", "failed"},
+                                        {R"("minimum": 5e-5, "maximum": 2e-4)", "passed"},
+                                        {R"("minimum": 2e-4, "maximum": 3e-4)", "failed"},
+                                        {R"("equals": 1e-4)", "passed"},
+                                        {R"("equals": 2e-4)", "failed"}}) {
+    BOOST_TEST(outcome(error + limit, smooth()) == expected, limit);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_gate_must_hold_for_all_that_it_selects_and_shows_the_worst) {
+  GateVerdict const upper = judged(R"("measure": "error", "maximum": 1e-3, "resolution": "all")", smooth());
+  BOOST_TEST((upper.verdict == Verdict::failed));
+  BOOST_TEST(upper.looked_at == 3u);
+  BOOST_TEST(upper.failing == 1u);
+  BOOST_TEST(upper.measured == "l2 error 0.0016 K");
+  BOOST_TEST(upper.limit == "<= 0.001");
+  BOOST_TEST(says(upper.where, "N = 25"), upper.where);
+  GateVerdict const lower = judged(R"("measure": "error", "minimum": 1e-9, "resolution": "all")", smooth());
+  BOOST_TEST((lower.verdict == Verdict::passed));
+  BOOST_TEST(says(lower.where, "N = 100"), lower.where);
+}
+
+BOOST_AUTO_TEST_CASE(a_run_that_failed_fails_every_gate_on_its_numbers) {
+  Results const results = results_of({run_at(25, 1e-9), failed_at(50)});
+  for (char const* gate : {R"("measure": "error", "maximum": 1)", R"("measure": "order", "minimum": -9)",
+                           R"("measure": "order", "minimum": -9, "interval": "ignore")"}) {
+    GateVerdict const verdict = judged(gate, results);
+    BOOST_TEST((verdict.verdict == Verdict::failed), gate);
+    BOOST_TEST(says(verdict.detail, "unstable: the temperature ran away"), verdict.detail);
+    BOOST_TEST(says(verdict.measured, "unknown"), verdict.measured);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_status_must_be_the_one_named) {
+  Results const results = results_of({run_at(25, 1.0), failed_at(50)});
+  GateVerdict const verdict = judged(R"("measure": "status", "equals": "ok")", results);
+  BOOST_TEST((verdict.verdict == Verdict::failed));
+  BOOST_TEST(verdict.measured == "status unstable");
+  BOOST_TEST(verdict.limit == "= ok");
+  BOOST_TEST(verdict.detail == "the temperature ran away");
+  BOOST_TEST(outcome(R"("measure": "status", "equals": "unstable", "resolution": 50)", results) == "passed");
+  BOOST_TEST(outcome(R"("measure": "status", "equals": "ok", "resolution": 25)", results) == "passed");
+}
+
+BOOST_AUTO_TEST_CASE(a_limit_inside_the_interval_of_an_order_is_undecided) {
+  Results const results = results_of(scattered());
+  ObservedOrder const& l2 = results.series[0].orders[1].observed;
+  BOOST_TEST_REQUIRE(results.series[0].orders[1].norm == "l2");
+  double const inside = 0.5 * (*l2.lower + *l2.order);
+  auto const gate = [&](double minimum, std::string const& rest) {
+    return outcome(fmt::format(R"("measure": "order", "minimum": {}{})", minimum, rest), results);
+  };
+  BOOST_TEST(gate(inside, "") == "undecided");
+  BOOST_TEST(gate(inside, R"(, "interval": "ignore")") == "passed");
+  BOOST_TEST(gate(*l2.lower - 0.01, "") == "passed");
+  BOOST_TEST(gate(0.5 * (*l2.upper + *l2.order), "") == "undecided", "the order itself is below");
+  BOOST_TEST(gate(0.5 * (*l2.upper + *l2.order), R"(, "interval": "ignore")") == "failed");
+  BOOST_TEST(gate(*l2.upper + 0.01, "") == "failed");
+  BOOST_TEST(!holds(Verdict::undecided));
+}
+
+BOOST_AUTO_TEST_CASE(an_order_without_an_interval_is_undecided) {
+  Results const two = results_of({run_at(25, 4e-4), run_at(50, 1e-4)});
+  BOOST_TEST(outcome(R"("measure": "order", "minimum": 1)", two) == "undecided");
+  BOOST_TEST(outcome(R"("measure": "order", "minimum": 1, "interval": "ignore")", two) == "passed");
+  BOOST_TEST(outcome(R"("measure": "order", "minimum": 3)", two) == "failed");
+}
+
+BOOST_AUTO_TEST_CASE(a_ladder_may_be_asked_for_its_verdict) {
+  BOOST_TEST(outcome(R"("measure": "order", "equals": "asymptotic")", smooth()) == "passed");
+  GateVerdict const verdict = judged(R"("measure": "order", "equals": "floored")", smooth());
+  BOOST_TEST((verdict.verdict == Verdict::failed));
+  BOOST_TEST(verdict.measured == "ladder asymptotic");
+}
+
+BOOST_AUTO_TEST_CASE(an_expected_failure_passes_and_an_unexpected_pass_fails) {
+  std::string const expected = R"(, "expect": "fail", "reason": "known")";
+  GateVerdict const failing = judged(R"("measure": "error", "maximum": 1e-6)" + expected, smooth());
+  BOOST_TEST((failing.verdict == Verdict::expected_failure));
+  BOOST_TEST(failing.reason == "known");
+  BOOST_TEST(holds(failing.verdict));
+  BOOST_TEST(outcome(R"("measure": "error", "maximum": 1)" + expected, smooth()) == "unexpected-pass");
+  BOOST_TEST(!holds(Verdict::unexpected_pass));
+  // What cannot be decided does not hold either.
+  Results const two = results_of({run_at(25, 4e-4), run_at(50, 1e-4)});
+  BOOST_TEST(outcome(R"("measure": "order", "minimum": 1)" + expected, two) == "expected-failure");
+}
+
+BOOST_AUTO_TEST_CASE(a_gate_that_selects_nothing_fails_even_if_it_is_expected_to_fail) {
+  std::string const nothing = R"("measure": "error", "maximum": 1, "select": {"case": "hydro/noh"})";
+  for (char const* rest : {"", R"(, "expect": "fail", "reason": "known")"}) {
+    GateVerdict const verdict = judged(nothing + rest, smooth());
+    BOOST_TEST((verdict.verdict == Verdict::selects_nothing));
+    BOOST_TEST(!holds(verdict.verdict));
+    BOOST_TEST(says(verdict.detail, "no run matches 'case'"), verdict.detail);
+  }
+  GateVerdict const itself =
+      judged(R"("measure": "cost", "maximum": 1, "relative_to": "conduction/brookshaw")", smooth());
+  BOOST_TEST((itself.verdict == Verdict::selects_nothing));
+  BOOST_TEST(says(itself.detail, "beside conduction/brookshaw itself"), itself.detail);
+}
+
+BOOST_AUTO_TEST_CASE(within_compares_to_the_same_run_of_the_baseline) {
+  std::string const gate = R"("measure": "error", "baseline": "b.json", "within": )";
+  auto const compare = [&](std::string const& within, std::vector<RunRecord> const& now,
+                           std::vector<RunRecord> const& before) {
+    return judged(gate + within, results_of(now), {{"b.json", results_of(before)}});
+  };
+  auto const is = [&](std::string const& within, double now, double before) {
+    return std::string(word(compare(within, {run_at(25, now)}, {run_at(25, before)}).verdict));
+  };
+  BOOST_TEST(is(R"({"relative": 0.1})", 1.05, 1.0) == "passed");
+  BOOST_TEST(is(R"({"relative": 0.1})", 0.95, 1.0) == "passed");
+  BOOST_TEST(is(R"({"relative": 0.1})", 1.15, 1.0) == "failed");
+  BOOST_TEST(is(R"({"relative": 0.1})", 0.85, 1.0) == "failed", "better than it was is a change as well");
+  BOOST_TEST(is(R"({"absolute": 0.1})", 1.05, 1.0) == "passed");
+  BOOST_TEST(is(R"({"absolute": 0.1})", 1.15, 1.0) == "failed");
+  BOOST_TEST(is(R"({"relative": 0.01, "absolute": 0.2})", 1.15, 1.0) == "passed", "the larger counts");
+  BOOST_TEST(is(R"({"relative": 0})", 1.0, 1.0) == "passed");
+  BOOST_TEST(is(R"({"relative": 0})", 1.0 + 1e-15, 1.0) == "failed");
+
+  std::string const tenth = R"({"relative": 0.1})";
+  GateVerdict const shown = compare(tenth, {run_at(25, 2.0)}, {run_at(25, 1.0)});
+  BOOST_TEST(shown.limit == "1 +- 0.1");
+  // The worst is the one that differs most as a part of its tolerance.
+  auto const lucy = [](double error) { return run_at(25, error, "conduction/lucy-flux"); };
+  GateVerdict const worst = compare(tenth, {run_at(25, 103.0), lucy(1.05)}, {lucy(1.0), run_at(25, 100.0)});
+  BOOST_TEST((worst.verdict == Verdict::passed));
+  BOOST_TEST(says(worst.where, "lucy-flux"), worst.where);
+
+  GateVerdict const fresh = compare(tenth, {run_at(25, 1.0), lucy(1.0)}, {run_at(25, 1.0)});
+  BOOST_TEST((fresh.verdict == Verdict::failed));
+  BOOST_TEST(fresh.detail == "not in the baseline");
+  GateVerdict const lost = compare(tenth, {run_at(25, 1.0)}, {run_at(25, 1.0), lucy(1.0)});
+  BOOST_TEST((lost.verdict == Verdict::failed));
+  BOOST_TEST(lost.detail == "in the baseline, but no longer in the results");
+  GateVerdict const broken = compare(tenth, {run_at(25, 1.0)}, {failed_at(25)});
+  BOOST_TEST((broken.verdict == Verdict::failed));
+  BOOST_TEST(broken.detail == "baseline: unstable: the temperature ran away");
+}
+
+BOOST_AUTO_TEST_CASE(baselines_are_read_and_may_not_be_the_results_themselves) {
+  TemporaryFolder const folder;
+  write_text(folder.file("results.json"), document_text(to_json(smooth())));
+  Json document = gates_document({R"("measure": "error", "within": {"relative": 0.1})"});
+  document["baseline"] = "results.json";
+  Gates const gates = read_gates(Node(document, folder.file("gates.json")));
+  std::string const said = complaint([&] { read_baselines(gates, folder.file("results.json")); });
+  BOOST_TEST(says(said, "gates[0].baseline: found the results themselves"), said);
+  write_text(folder.file("now.json"), "{}");
+  Baselines const baselines = read_baselines(gates, folder.file("now.json"));
+  BOOST_TEST_REQUIRE(baselines.size() == 1u);
+  BOOST_TEST(baselines.begin()->second.runs.size() == 3u);
+}
+
+BOOST_AUTO_TEST_SUITE_END()

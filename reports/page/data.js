@@ -89,12 +89,21 @@ function readEnvelope(raw, word) {
   };
 }
 
+// On a case that compares rates alone, forms of different equations have different exact values: none is
+// better than another. What such a form approximates; empty on other cases.
+function operatorOf(series) {
+  if (!series.case.startsWith("operator/")) return "";
+  const room = series.formulation.split("/")[0];
+  return series.formulation === "work/total-energy" ? "work on total energy" : room;
+}
+
 // A case is an identifier with its parameters; those that tell the cases of one identifier apart name it.
 function casesOf(doc) {
   const cases = new Map();
   for (const s of doc.series) {
-    const key = `${s.case} ${s.parameters}`;
-    if (!cases.has(key)) cases.set(key, { key, id: s.case, parameters: s.parameters, series: [] });
+    const operator = operatorOf(s);
+    const key = `${s.case} ${s.parameters} ${operator}`;
+    if (!cases.has(key)) cases.set(key, { key, id: s.case, operator, parameters: s.parameters, series: [] });
     cases.get(key).series.push(s);
     s.caseKey = key;
   }
@@ -103,7 +112,7 @@ function casesOf(doc) {
     const others = list.filter((other) => other !== one && other.id === one.id);
     const words = parametersOf(one.parameters);
     const own = words.filter((w) => others.some((other) => !parametersOf(other.parameters).includes(w)));
-    one.name = own.length ? `${one.id}, ${own.join(", ")}` : one.id;
+    one.name = [one.id, one.operator, ...own].filter((text) => text !== "").join(", ");
     for (const s of one.series) s.caseName = one.name;
   }
   return list;

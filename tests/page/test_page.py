@@ -65,6 +65,15 @@ GAS = {
 }
 
 
+RATES = {
+    "schema": "sphverify-study/1",
+    "name": "rates",
+    "cases": ["operator/sine"],
+    "formulations": ["momentum/p-rho2", "momentum/sqrt-p", "work/total-energy", "conduction/brookshaw"],
+    "resolution": [20, 40],
+}
+
+
 def envelopes_of(document):
     """One envelope in the form of the results, which this study does not measure itself."""
     series = document["series"][0]
@@ -100,6 +109,8 @@ class PageTest(program.ProgramTest):
         maker.write("odd.json", odd)
         maker.succeed("report", cls.place / "heat.json", "-o", cls.place / "heat.html")
         maker.succeed("report", cls.place / "odd.json", "-o", cls.place / "odd.html")
+        maker.study(RATES, "rates.json")
+        maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
 
@@ -243,6 +254,25 @@ class PageTest(program.ProgramTest):
         self.assertIn(ranked[0], sentences.split("\n")[0])
         self.assertIn("Avoid: campbell-flux (walls off): fails on 2 of 2 ladders", sentences)
         self.assertEqual(len(self.all("article.verdict:first-of-type tr.failed")), 1)
+
+    def test_forms_of_different_equations_are_not_ranked_together(self):
+        self.open("rates.html")
+        ranked = {
+            article.find_element(By.CSS_SELECTOR, "h4").text: sorted(
+                head.get_attribute("textContent")
+                for head in article.find_elements(By.CSS_SELECTOR, "tbody th")
+            )
+            for article in self.all("article.verdict")
+        }
+        self.assertEqual(
+            ranked,
+            {
+                "operator/sine, momentum": ["p-rho2", "sqrt-p"],
+                "operator/sine, work on total energy": ["total"],
+                "operator/sine, conduction": ["brookshaw"],
+            },
+        )
+        self.assert_silent()
 
     def test_failures_are_listed_with_their_reasons(self):
         self.open("heat.html")

@@ -100,11 +100,11 @@ void add_words(std::vector<CatalogueEntry>& all) {
                        {"parameters", Json::array({"amplitude, in dx, below 0.5",
                                                    "seed, or a list of seeds: replicates of each level"})}};
                  }});
-  all.push_back({"layouts", "clumped", "Lattice with neighbours moved together in pairs", "", [] {
-                   return Json{{"equation",
-                                "along the first axis, about the middle of each pair; mass as of jittered"},
-                               {"parameters", Json::array({"separation [0.1]: of a pair, in dx, up to 1"})}};
-                 }});
+  all.push_back(
+      {"layouts", "clumped", "Lattice with neighbours moved together in pairs", "", [] {
+         return Json{{"equation", "along the first axis, about the middle of each pair; mass as of jittered"},
+                     {"parameters", Json::array({"separation [0.1]: of a pair, in dx, up to 1"})}};
+       }});
   all.push_back(
       {"layouts", "touching", "Lattice whose first particles all but touch the lower wall", "", [] {
          return Json{{"equation", "the first particle of each row along the first axis; mass as of jittered"},

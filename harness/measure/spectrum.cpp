@@ -1,14 +1,12 @@
 #include "harness/measure/spectrum.hpp"
 
-#include <Spectra/GenEigsRealShiftSolver.h>
-#include <Spectra/GenEigsSolver.h>
-#include <Spectra/MatOp/SparseGenMatProd.h>
-#include <Spectra/MatOp/SparseGenRealShiftSolve.h>
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
-#include <Eigen/SparseCore>
+#include <Eigen/SparseLU>
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <random>
 
 #include "formulations/support/expects.hpp"
 
@@ -39,16 +37,62 @@ std::size_t rightmost(std::vector<std::complex<double>> const& eigenvalues) {
                                   eigenvalues.begin());
 }
 
-constexpr int wanted = 6;
-constexpr int krylov_size = 60;
-constexpr int most_restarts = 600;
+/// Approximate eigenvalues from a space of few dimensions, with their vectors where they have converged.
+struct RitzPairs {
+  std::vector<std::complex<double>> values, converged;
+  std::vector<Eigen::VectorXcd> vectors;  ///< of those that have converged, of length 1
 
-template <class Solver>
-void take(Solver& solver, Spectrum& found) {
-  for (Eigen::Index k = 0; k < solver.eigenvalues().size(); ++k) {
-    found.eigenvalues.push_back(solver.eigenvalues()[k]);
-    found.modes.emplace_back(solver.eigenvectors().col(k));
+  bool has_converged(std::complex<double> value) const {
+    return std::find(converged.begin(), converged.end(), value) != converged.end();
   }
+};
+
+/// Arnoldi's method without restarts, every direction made orthogonal to all before twice: what it costs in
+/// memory it gains in being sure. A pair has converged when its residual is below `accuracy` times the
+/// largest value.
+RitzPairs arnoldi(std::function<Eigen::VectorXd(Eigen::VectorXd const&)> const& apply, Eigen::Index n,
+                  int most, double accuracy) {
+  Eigen::Index const steps = std::min<Eigen::Index>(n, most);
+  Eigen::MatrixXd basis(n, steps + 1);
+  Eigen::MatrixXd projected = Eigen::MatrixXd::Zero(steps + 1, steps);
+  std::mt19937_64 random(1);
+  for (Eigen::Index i = 0; i < n; ++i)
+    basis(i, 0) = 2.0 * static_cast<double>(random() >> 11) * 0x1p-53 - 1.0;
+  basis.col(0).normalize();
+  Eigen::Index size = 0;
+  double beyond = 0.0;
+  while (size < steps) {
+    Eigen::VectorXd next = apply(basis.col(size));
+    double const length = next.norm();
+    auto const known = basis.leftCols(size + 1);
+    for (int twice = 0; twice < 2; ++twice) {
+      Eigen::VectorXd const part = known.transpose() * next;
+      next -= known * part;
+      projected.col(size).head(size + 1) += part;
+    }
+    beyond = next.norm();
+    ++size;
+    // The space is invariant: everything in it has converged.
+    if (!(beyond > 1e-13 * length)) {
+      beyond = 0.0;
+      break;
+    }
+    projected(size, size - 1) = beyond;
+    basis.col(size) = next / beyond;
+  }
+  Eigen::EigenSolver<Eigen::MatrixXd> const solver(projected.topLeftCorner(size, size));
+  RitzPairs pairs;
+  pairs.values.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  double largest = 0.0;
+  for (auto const& value : pairs.values) largest = std::max(largest, std::abs(value));
+  Eigen::MatrixXcd const vectors = solver.eigenvectors();
+  for (Eigen::Index k = 0; k < size; ++k) {
+    Eigen::VectorXcd const y = vectors.col(k).normalized();
+    if (beyond * std::abs(y[size - 1]) > accuracy * largest) continue;
+    pairs.converged.push_back(pairs.values[static_cast<std::size_t>(k)]);
+    pairs.vectors.emplace_back(basis.leftCols(size) * y);
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -74,34 +118,50 @@ Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes) {
 }
 
 Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values) {
-  expects(pattern.rows() > krylov_size);
+  constexpr int directions = 300;
+  constexpr int slow_directions = 60;
+  constexpr double accuracy = 1e-8;
   SparseMatrix const matrix = sparse_matrix(pattern, values);
   Spectrum found;
-  Spectra::SparseGenMatProd<double> product(matrix);
-  double radius = 0.0;
-  for (auto const rule :
-       {Spectra::SortRule::LargestMagn, Spectra::SortRule::LargestReal, Spectra::SortRule::LargestImag}) {
-    Spectra::GenEigsSolver solver(product, wanted, krylov_size);
-    solver.init();
-    solver.compute(rule, most_restarts, 1e-9);
-    bool const done = solver.info() == Spectra::CompInfo::Successful;
-    // The slowest modes lie close together: that the rightmost do not converge is usual, and why the shifted
-    // inverse looks for them as well.
-    if (!done && rule == Spectra::SortRule::LargestMagn) {
-      found.remark = "Arnoldi's method did not find the largest eigenvalues";
-      return found;
-    }
-    take(solver, found);
-    for (auto const& lambda : found.eigenvalues) radius = std::max(radius, std::abs(lambda));
+  auto const take = [&](std::complex<double> value, Eigen::VectorXcd vector) {
+    found.eigenvalues.push_back(value);
+    found.modes.push_back(std::move(vector));
+  };
+  RitzPairs const outer = arnoldi([&](Eigen::VectorXd const& x) { return Eigen::VectorXd(matrix * x); },
+                                  matrix.rows(), directions, accuracy);
+  auto const by = [](auto const& measure) {
+    return [measure](auto const& a, auto const& b) { return measure(a) < measure(b); };
+  };
+  auto const modulus = [](std::complex<double> z) { return std::abs(z); };
+  auto const height = [](std::complex<double> z) { return z.imag(); };
+  double const radius = modulus(*std::max_element(outer.values.begin(), outer.values.end(), by(modulus)));
+  // The slow modes lie close together: that they do not converge here is usual, and why they are looked for
+  // below.
+  if (!outer.has_converged(*std::max_element(outer.values.begin(), outer.values.end(), by(modulus)))) {
+    found.remark = "Arnoldi's method did not find the largest eigenvalues";
+    return found;
   }
-  Spectra::SparseGenRealShiftSolve<double> inverse(matrix);
-  Spectra::GenEigsRealShiftSolver slowest(inverse, wanted, krylov_size, 1e-6 * radius);
-  slowest.init();
-  slowest.compute(Spectra::SortRule::LargestMagn, most_restarts, 1e-10);
-  if (slowest.info() == Spectra::CompInfo::Successful) {
-    take(slowest, found);
-  } else {
-    found.remark = "Arnoldi's method did not find the slowest eigenvalues";
+  for (std::size_t k = 0; k < outer.converged.size(); ++k) take(outer.converged[k], outer.vectors[k]);
+  auto const highest = *std::max_element(outer.values.begin(), outer.values.end(), by(height));
+  if (highest.imag() > 1e-6 * radius && !outer.has_converged(highest))
+    found.remark = "Arnoldi's method did not find the largest imaginary part";
+
+  double const shift = 1e-6 * radius;
+  SparseMatrix shifted = matrix;
+  for (Eigen::Index i = 0; i < matrix.rows(); ++i) shifted.coeffRef(i, i) -= shift;
+  shifted.makeCompressed();
+  Eigen::SparseLU<SparseMatrix> factors(shifted);
+  RitzPairs slow;
+  if (factors.info() == Eigen::Success) {
+    slow = arnoldi([&](Eigen::VectorXd const& x) { return Eigen::VectorXd(factors.solve(x)); }, matrix.rows(),
+                   slow_directions, accuracy);
+  }
+  if (slow.converged.empty()) found.remark = "Arnoldi's method did not find the slowest eigenvalues";
+  for (std::size_t k = 0; k < slow.converged.size(); ++k) {
+    std::complex<double> const value = shift + 1.0 / slow.converged[k];
+    // Far from the shift the inverse knows little.
+    Eigen::VectorXcd const& v = slow.vectors[k];
+    if ((matrix * v - value * v).norm() < 1e-6 * radius) take(value, v);
   }
   found.worst = rightmost(found.eigenvalues);
   return found;

@@ -30,9 +30,9 @@ struct Spectrum {
 /// @param all_modes whether the modes of all eigenvalues are wanted
 Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes = false);
 
-/// The outermost eigenvalues of a sparse matrix: largest in modulus, real and imaginary part by Arnoldi's
-/// method, and those nearest to a point just right of zero by its shifted inverse (Spectra), since slow modes
-/// hide from the former.
+/// The outermost eigenvalues of a sparse matrix by Arnoldi's method, and those nearest to a point just right
+/// of zero by its shifted inverse, since slow modes hide from the former. Every one of them has a small
+/// residual.
 Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values);
 
 /// The one of the two that suits the size.

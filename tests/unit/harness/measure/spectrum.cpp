@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <utility>
 
 BOOST_AUTO_TEST_SUITE(harness_measure_spectrum)
 
@@ -70,6 +71,73 @@ BOOST_AUTO_TEST_CASE(a_zero_that_round_off_made_positive_does_not_grow) {
   Stability const s = stability_of(complete({{-100.0, 0.0}, {1e-10, 0.0}}));
   BOOST_TEST(*s.growing_modes == 0u);
   BOOST_TEST(*s.largest_stable_step == 0.02, tolerance(1e-12));
+}
+
+/// Advection and diffusion on a ring that is not even: complex eigenvalues, and a matrix that is not normal.
+void ring(std::size_t n, DependencyPattern& pattern, std::vector<double>& values) {
+  pattern = {{0}, {}};
+  values.clear();
+  for (std::size_t i = 0; i < n; ++i) {
+    double const speed = 1.0 + 0.5 * std::sin(0.1 * static_cast<double>(i));
+    std::vector<std::pair<std::size_t, double>> row{
+        {(i + n - 1) % n, 1.0 + speed}, {i, -2.0 - 0.3 * speed}, {(i + 1) % n, 1.0 - speed}};
+    std::sort(row.begin(), row.end());
+    for (auto const& [column, value] : row) {
+      pattern.column.push_back(static_cast<std::int64_t>(column));
+      values.push_back(value);
+    }
+    pattern.first.push_back(static_cast<std::int64_t>(values.size()));
+  }
+}
+
+BOOST_AUTO_TEST_CASE(arnoldi_finds_what_the_dense_solver_finds) {
+  DependencyPattern pattern;
+  std::vector<double> values;
+  ring(200, pattern, values);
+  Stability const all = stability_of(spectrum(pattern, values));
+  Stability const outer = stability_of(outer_spectrum(pattern, values));
+  BOOST_TEST(all.method == "dense");
+  BOOST_TEST(outer.method == "arnoldi");
+  BOOST_TEST(outer.remark == "");
+  BOOST_TEST(*outer.spectral_radius == *all.spectral_radius, tolerance(1e-8));
+  BOOST_TEST(*outer.spectral_abscissa == *all.spectral_abscissa, tolerance(1e-7));
+  BOOST_TEST(*outer.largest_imaginary == *all.largest_imaginary, tolerance(1e-8));
+  BOOST_TEST(*all.largest_imaginary > 1.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_worst_mode_is_an_eigenvector) {
+  DependencyPattern pattern;
+  std::vector<double> values;
+  ring(100, pattern, values);
+  for (Spectrum const& found : {spectrum(pattern, values), outer_spectrum(pattern, values)}) {
+    Eigen::VectorXcd const& v = found.modes[found.worst];
+    Complex const lambda = found.eigenvalues[found.worst];
+    double defect = 0.0;
+    for (std::size_t i = 0; i < pattern.rows(); ++i) {
+      Complex image = 0.0;
+      for (std::int64_t k = pattern.first[i]; k < pattern.first[i + 1]; ++k)
+        image += values[static_cast<std::size_t>(k)] * v[pattern.column[static_cast<std::size_t>(k)]];
+      defect = std::max(defect, std::abs(image - lambda * v[static_cast<Eigen::Index>(i)]));
+    }
+    BOOST_TEST(v.norm() == 1.0, tolerance(1e-9));
+    BOOST_TEST(defect < 1e-7);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(states_that_an_operator_does_not_see_are_counted) {
+  // The central first difference on an even ring sees neither a constant nor the odd-even mode.
+  Eigen::MatrixXd difference = Eigen::MatrixXd::Zero(12, 12);
+  for (Eigen::Index i = 0; i < 12; ++i) {
+    difference(i, (i + 1) % 12) = 0.5;
+    difference(i, (i + 11) % 12) = -0.5;
+  }
+  BOOST_TEST(*dense_spectrum(difference * difference).unseen_modes == 2u);
+  BOOST_TEST(*dense_spectrum(Eigen::MatrixXd(-Eigen::MatrixXd::Identity(5, 5))).unseen_modes == 0u);
+  // A zero eigenvalue without a second eigenvector counts once.
+  Eigen::MatrixXd defective = Eigen::MatrixXd::Zero(3, 3);
+  defective(0, 1) = 1.0;
+  defective(2, 2) = -1.0;
+  BOOST_TEST(*dense_spectrum(defective).unseen_modes == 1u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

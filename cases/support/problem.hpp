@@ -65,7 +65,8 @@ struct Problem {
   /// Why no particles run this case: what it says then is a reference only. Empty: they do.
   std::string not_run_because;
 
-  /// Absolute accuracy that the exact solution promises for its main field.
+  /// Accuracy that the exact solution promises: of temperature or rates absolute, in their unit; of a gas relative
+  /// to the largest density, pressure and speed.
   double accuracy = 0.0;
 
   /// Energy released at a point at the start [J]: it goes to the particles around the point, as much of it as

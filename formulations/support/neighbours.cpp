@@ -128,9 +128,10 @@ class Search {
     std::size_t used = 0;
     grid_.for_each_cell(first_cell, end_cell, [&](std::uint32_t begin, std::uint32_t end, auto const& runs) {
       candidates_.fill(begin, runs);
-      std::size_t const most = used + (end - begin) * candidates_.count() + 4;
-      if (rows_.size() < most) rows_.resize(2 * most);
       for (std::uint32_t s = begin; s < end; ++s) {
+        // Room for one particle's row at a time: a crowded cell's worth of candidates would be its square.
+        std::size_t const most = used + candidates_.count() + 4;
+        if (rows_.size() < most) rows_.resize(2 * most);
         bool same_place = false;
         std::size_t const near =
             candidates_.list_near(s - begin, grid_.reach(), kernels_, rows_.data() + used, &same_place);

@@ -16,7 +16,7 @@ struct RepeatCommand {
   std::string output = "-";
 };
 
-/// The study of one run alone, measured and bounded as the whole was.
+/// The study whose last run is the one, measured and bounded as the whole was.
 Study study_of(Results const& results, RunRecord const& run, std::string const& file) {
   Json const whole = Json::parse(results.study);
   Json const record = to_json(run);
@@ -28,15 +28,17 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
   for (auto it = discretisation.begin(); it != discretisation.end();) {
     it = it->is_null() ? discretisation.erase(it) : std::next(it);
   }
-  // The ratio at this resolution, whatever refinement path led to it.
-  if (run.spacing > 0.0) discretisation["smoothing_ratio"] = run.smoothing_length / run.spacing;
+  // The refinement path starts at the study's coarsest level, which stands beside the run.
+  Json resolutions = Json::array({whole.at("resolution").front()});
+  if (resolutions.front() != run.resolution) resolutions.push_back(run.resolution);
   Json const document = {
       {"schema", "sphverify-study/1"},
       {"name", whole.at("name")},
       {"cases", Json::array({{{"id", record.at("case")}, {"parameters", record.at("parameters")}}})},
       {"formulations", Json::array({formulation})},
       {"discretisation", discretisation},
-      {"resolution", run.resolution},
+      {"resolution", resolutions},
+      {"smoothing_exponent", run.smoothing_exponent},
       {"measure", whole.at("measure")},
       {"threads", whole.at("threads")},
       {"repeat", whole.at("repeat")},
@@ -58,11 +60,11 @@ void repeat(RepeatCommand const& command) {
     throw UserError(command.document + ": run " + std::to_string(command.run) + ": " +
                     expansion.skipped.front().reason);
   }
-  RunRecord const now = execute(expansion.runs.front(), {.measure = study.measure,
-                                                         .threads = study.threads,
-                                                         .repeat = study.repeat,
-                                                         .time_budget = study.time_budget,
-                                                         .interrupted = nullptr});
+  RunRecord const now = execute(expansion.runs.back(), {.measure = study.measure,
+                                                        .threads = study.threads,
+                                                        .repeat = study.repeat,
+                                                        .time_budget = study.time_budget,
+                                                        .interrupted = nullptr});
   auto const said = [](RunRecord const& run) {
     return run.reason.empty() ? run.status : run.status + ": " + run.reason;
   };

@@ -16,6 +16,7 @@
 #include "harness/gate/select.hpp"
 #include "harness/gate/text.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/norm_of.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify {
@@ -70,10 +71,6 @@ std::vector<std::string> names_of(std::vector<Quantity<Record>> const& table) {
 template <class Record>
 Quantity<Record> const& find_quantity(std::vector<Quantity<Record>> const& table, std::string const& name) {
   return *std::find_if(table.begin(), table.end(), [&](auto const& q) { return q.name == name; });
-}
-
-double norm_of(NormSet const& norms, std::string const& name) {
-  return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
 }
 
 /// Puts a number into an entry; what was written as null, or is relative to nothing, is a problem.

@@ -8,15 +8,12 @@
 
 #include "cases/support/case.hpp"
 #include "harness/gate/measure.hpp"
+#include "reports/norm_of.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify {
 
 namespace {
-
-double norm_of(NormSet const& norms, std::string const& name) {
-  return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
-}
 
 /// A norm of the exact field; 0 where the run has none.
 double exact_norm(RunRecord const& run, std::string const& field, std::string const& region,

@@ -18,6 +18,10 @@ RunSpec with_value(RunSpec spec, EnvelopeChoice const& choice, double value) {
     if (known == spec.parameters.all().end() || !std::holds_alternative<double>(known->second)) {
       throw std::invalid_argument(spec.scene_case->info.id + " has no number " + choice.parameter);
     }
+    for (ParameterSpec const& parameter : spec.scene_case->info.parameters) {
+      if (parameter.name == choice.parameter && parameter.integer)
+        throw std::invalid_argument(choice.parameter + " is a whole number: it cannot be halved at will");
+    }
     spec.parameters.set(choice.parameter, value);
   }
   return spec;

@@ -38,8 +38,9 @@ double estimated_bytes(AnyProblem const& problem, LayoutChoice const& layout, in
                        double smoothing_ratio) {
   return std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
-        // Indices of neighbours, and a conductance beside each where particles stand still.
-        double const per_pair = 4.0 + (p.gamma > 0.0 ? 0.0 : 8.0);
+        // Indices of neighbours, twice while a list is made; where particles stand still, a conductance
+        // beside each.
+        double const per_pair = 8.0 + (p.gamma > 0.0 ? 0.0 : 8.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
         double const unknowns = p.gamma > 0.0 ? 2.0 * Dim + 2.0 : 1.0;
         double const per_particle = 300.0 + 8.0 * 12.0 * unknowns;

@@ -203,7 +203,10 @@ void require_memory(Study const& study, Node const& document) {
   int const finest = study.resolutions.back();
   double const refinement = static_cast<double>(finest) / study.resolutions.front();
   double ratio = 0.0;
-  for (double const nominal : study.smoothing_ratios) {
+  std::vector<double> nominals = study.smoothing_ratios;
+  if (study.envelope && study.envelope->parameter == "smoothing_ratio")
+    nominals = {study.envelope->from, study.envelope->to};
+  for (double const nominal : nominals) {
     for (double const exponent : study.smoothing_exponents) {
       ratio = std::max(ratio, nominal * std::pow(refinement, exponent));
     }

@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 
+#include "reports/norm_of.hpp"
 #include "reports/table/series_row.hpp"
 
 namespace sphverify {
@@ -26,10 +27,6 @@ Json number(double value) {
   return std::strtod(fmt::format("{:.5g}", value).c_str(), nullptr);
 }
 Json number(Number const& value) { return value ? number(*value) : Json(nullptr); }
-
-double norm_of(NormSet const& norms, std::string const& name) {
-  return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
-}
 
 /// Words that occur often are written once and then named by their number.
 class Dictionary {

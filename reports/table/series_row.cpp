@@ -7,16 +7,14 @@
 #include <array>
 #include <cmath>
 
+#include "reports/norm_of.hpp"
+
 namespace sphverify {
 
 namespace {
 
 /// The field that a case is about.
 constexpr std::array<char const*, 4> leading_fields{"temperature", "velocity", "acceleration", "heating"};
-
-double norm_of(NormSet const& norms, std::string const& name) {
-  return name == "l1" ? norms.l1 : name == "l2" ? norms.l2 : norms.linf;
-}
 
 std::string parameters_text(std::map<std::string, ParameterValue> const& parameters) {
   std::vector<std::string> parts;

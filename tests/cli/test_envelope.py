@@ -35,6 +35,7 @@ class EnvelopeTest(program.ProgramTest):
             ({"parameter": "colour"}, "colour"),
             ({"parameter": "amplitude", "from": 0.1, "to": 0.3}, "jittered"),
             ({"to": 1.2}, "from"),
+            ({"parameter": "dimension", "from": 1, "to": 3}, "whole number"),
             ({"from": -1, "scale": "logarithmic"}, "positive"),
             ({"parameter": "final_time", "to": -1}, "final_time"),
         ]:
@@ -52,6 +53,14 @@ class RepeatTest(program.ProgramTest):
             before = results["runs"][index]
             for key in ("status", "reason", "errors", "discretisation", "particles", "spacing"):
                 self.assertEqual(again[key], before[key], key)
+
+    def test_a_level_of_a_refinement_path_keeps_its_smoothing_length(self):
+        ladder = STUDY | {"resolution": [20, 33], "smoothing_exponent": 0.5}
+        del ladder["envelope"]
+        results = self.study(ladder, "ladder.json")
+        again = program.strict_json(self.succeed("repeat", self.folder / "ladder.json", 1))
+        for key in ("smoothing_length", "smoothing_exponent", "errors"):
+            self.assertEqual(again[key], results["runs"][1][key], key)
 
     def test_refuses_a_run_that_is_not_there(self):
         self.study(STUDY, "limits.json")

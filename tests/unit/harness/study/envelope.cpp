@@ -79,6 +79,7 @@ BOOST_AUTO_TEST_CASE(numbers_of_the_discretisation_can_be_driven_too) {
   BOOST_CHECK_THROW(with_value(make_spec({}), {.parameter = "amplitude"}, 0.4), std::invalid_argument);
   BOOST_CHECK_THROW(with_value(spec, {.parameter = "modes"}, 1.0), std::invalid_argument);
   BOOST_CHECK_THROW(with_value(spec, {.parameter = "colour"}, 1.0), std::invalid_argument);
+  BOOST_CHECK_THROW(with_value(spec, {.parameter = "dimension"}, 2.0), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -13,6 +13,9 @@ void register_hand_written(std::span<std::size_t const> sides);
 /// Registers the product's sweeps likewise, as product/WORK/SIDE.
 void register_product(std::span<std::size_t const> sides);
 
+/// Registers the product's conduction on a line of particles, as product/line/WORK/PARTICLES.
+void register_line();
+
 /// Compares the plain loops' fast forms with their simple ones on a small cube.
 /// @return an empty text, or which differs by more than 1e-12 of the largest value
 std::string check_hand_written();

@@ -47,6 +47,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   register_hand_written(sides);
   register_product(sides);
+  register_line();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

@@ -70,9 +70,10 @@ struct GasSweep {
   std::vector<std::unique_ptr<RateOperator<3>>> operators;
   MonaghanViscosity viscosity;
   ViscousRates<3> rates;
+  bool drifts;
 
-  GasSweep(std::vector<std::string> const& ids, double alpha, double beta, bool continuity)
-      : viscosity{alpha, beta} {
+  GasSweep(std::vector<std::string> const& ids, double alpha, double beta, bool continuity, bool drift)
+      : viscosity{alpha, beta}, drifts(drift) {
     for (std::string const& id : ids) operators.push_back(make_rate_operator<3>(id));
     if (continuity) operators.push_back(make_continuity_operator<3>());
   }
@@ -82,7 +83,7 @@ struct GasSweep {
       one->begin_pass(0, cube.particles, cube.geometry, Closure::interpolated, 0.0, threads, sweep);
     }
     if (viscosity.is_on()) add_viscosity(viscosity, cube.particles, sweep, rates);
-    sweep.run(cube.particles);
+    sweep.run(cube.particles, drifts ? &cube.particles.vector(Field::velocity) : nullptr);
     for (auto const& one : operators) one->end_pass(0, cube.particles, cube.geometry, cube.work);
   }
 };
@@ -111,9 +112,12 @@ auto scheme_pass(std::string const& id, int threads, bool frozen) {
   };
 }
 
-auto gas_pass(std::vector<std::string> const& ids, bool viscous, bool continuity, int threads) {
+/// @param drifts whether viscosity rubs with velocities of its own, as in a leapfrog step
+auto gas_pass(std::vector<std::string> const& ids, bool viscous, bool continuity, int threads,
+              bool drifts = false) {
   return [=](Cube&) -> std::function<void(Cube&)> {
-    auto const sweep = std::make_shared<GasSweep>(ids, viscous ? 1.0 : 0.0, viscous ? 2.0 : 0.0, continuity);
+    auto const sweep =
+        std::make_shared<GasSweep>(ids, viscous ? 1.0 : 0.0, viscous ? 2.0 : 0.0, continuity, drifts);
     return [=](Cube& cube) { sweep->run(cube, threads); };
   };
 }
@@ -140,6 +144,7 @@ void register_product(std::span<std::size_t const> sides) {
     measure("euler/without-viscosity", side, 1, true, gas_pass(euler, false, false, 1));
     measure("euler/without-work", side, 1, true, gas_pass({euler[0]}, true, false, 1));
     measure("euler/with-continuity", side, 1, true, gas_pass(euler, true, true, 1));
+    measure("euler/with-drift", side, 1, true, gas_pass(euler, true, true, 1, true));
     measure("momentum/p-rho2", side, 1, true, scheme_pass("momentum/p-rho2", 1, false));
     measure("momentum/sqrt-p", side, 1, true, scheme_pass("momentum/sqrt-p", 1, false));
     measure("conduction/two-pass", side, 1, true, scheme_pass("conduction/campbell-flux", 1, false));

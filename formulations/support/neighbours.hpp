@@ -27,8 +27,8 @@ struct NeighbourList {
 
 /// Every pair closer than the grid's reach.
 /// @param old a list that is no longer needed: its memory is used again, which saves more than it seems,
-/// since memory that is new costs as much as what is written to it Throws std::invalid_argument when two
-/// particles are at the same place.
+/// since memory that is new costs as much as what is written to it
+/// Throws std::invalid_argument when two particles are at the same place.
 template <int Dim>
 NeighbourList find_neighbours(CellGrid<Dim> const& grid, int threads = 1, NeighbourList old = {});
 

@@ -24,8 +24,8 @@ void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> cons
     double const closing = (v - contacts.velocity[k]).dot(contacts.outward_normal);
     if (closing <= 0.0) continue;
     double const rho = 0.5 * (particles.scalar(Field::density)[i] + contacts.foot_density[k]);
-    auto const [mu, Pi] =
-        viscosity.pair(-closing * d, d * d, h(i), particles.scalar(Field::sound_speed)[i], rho);
+    auto const [mu, Pi] = viscosity.pair(-closing * d, h(i), particles.scalar(Field::sound_speed)[i], rho,
+                                         MonaghanViscosity::divisor(d * d, h(i), rho));
     double const face = share * Pi * contacts.foot_density[k] * contacts.face_weight[k];
     Vector<Dim> const acceleration = -face * contacts.outward_normal;
     double const heating = face * closing;

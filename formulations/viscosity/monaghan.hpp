@@ -25,13 +25,20 @@ struct MonaghanViscosity {
   struct Pair {
     Number mu, Pi;
   };
+  /// (r_ij^2 + 0.01 h_ij^2) rho_ij: what mu/rho is divided by. Apart, because divisions are the dearest part
+  /// of a vectorised sweep, which finds this one's inverse together with others.
+  template <class Number>
+  static Number divisor(Number squared_distance, Number h, Number rho) {
+    return (squared_distance + 0.01 * h * h) * rho;
+  }
+
   /// @param approach v_ij.r_ij, negative where the two approach  [m^2/s]
   /// @param h, c, rho the pair's means
+  /// @param divisor the above, as something to divide by
   template <class Number>
-  Pair<Number> pair(Number approach, Number squared_distance, Number h, Number c, Number rho) const {
+  Pair<Number> pair(Number approach, Number h, Number c, Number rho, auto const& divisor) const {
     using std::min;
-    // mu/rho first: one division serves both, and divisions are the dearest part of a vectorised sweep.
-    Number const mu_per_rho = h * min(approach, Number(0.0)) / ((squared_distance + 0.01 * h * h) * rho);
+    Number const mu_per_rho = h * min(approach, Number(0.0)) / divisor;
     Number const mu = rho * mu_per_rho;
     return {mu, (-alpha * c + beta * mu) * mu_per_rho};
   }

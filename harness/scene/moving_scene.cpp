@@ -323,7 +323,7 @@ void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
       one->begin_pass(0, particles_, geometry, closure_, time, threads_, sweep);
     }
     if (viscosity_.is_on()) add_viscosity(viscosity_, particles_, sweep, viscous_);
-    sweep.run(particles_, drifts ? &drift_ : nullptr);
+    sweep.run(particles_, drifts && viscosity_.is_on() ? &drift_ : nullptr);
     for (RateOperator<Dim>* const one : together) {
       one->end_pass(0, particles_, geometry, work_);
       ++passes_[one->info().id];

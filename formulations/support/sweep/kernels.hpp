@@ -100,6 +100,7 @@ template <class... Terms>
 struct TermList {
   SPHVERIFY_INLINE explicit TermList(RowTerm const*) {}
   SPHVERIFY_INLINE void add(auto const&, auto const&, auto const&) {}
+  SPHVERIFY_INLINE static Pack divisor(auto const&, auto const&, auto const&) { return 1.0; }
   SPHVERIFY_INLINE void write(RowTerm const*, double, std::size_t) const {}
 };
 template <class First, class... Rest>
@@ -112,6 +113,14 @@ struct TermList<First, Rest...> {
     first.add(i, j, W);
     rest.add(i, j, W);
   }
+  /// Of the one term that has one.
+  SPHVERIFY_INLINE static Pack divisor(auto const& i, auto const& j, auto const& W) {
+    if constexpr (requires { First::divisor(i, j, W); }) {
+      return First::divisor(i, j, W);
+    } else {
+      return TermList<Rest...>::divisor(i, j, W);
+    }
+  }
   SPHVERIFY_INLINE void write(RowTerm const* terms, double h, std::size_t i) const {
     double sums[most_components] = {};
     first.write(h, sums);
@@ -121,10 +130,16 @@ struct TermList<First, Rest...> {
   }
 };
 
+/// Whether the term reads `u`.
+template <class Term>
+inline constexpr bool reads_state_velocity = requires {
+  Term::reads_state_velocity;
+};
+
 /// A sweep whose terms are known when it is compiled.
-template <int Dim, Wrapping wrapping, class... Terms>
+template <int Dim, Wrapping wrapping, bool drifts, class... Terms>
 void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
-  constexpr RecordSlots slots = record_slots((Terms::reads | ...), Dim, false, false);
+  constexpr RecordSlots slots = record_slots((Terms::reads | ...), Dim, false, drifts);
   constexpr std::size_t stride = slots.stride();
   double const h = plan.h;
   double const per_h = 1.0 / h;
@@ -150,26 +165,44 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
           for (std::size_t n = 0; n < Dim; ++n) W.r.component[n] = Pack(own[n]) - columns[n];
           wrap<Dim, wrapping>(plan, W.r);
           W.common_h = h;
-          W.length = sqrt(mask_idle(W.r.squaredNorm(), idle, h));
-          if constexpr ((Terms::wants_radial || ...)) {
-            W.slope = scale * CubicSpline<Dim>::slope_shape(W.length * Pack(per_h));
-          }
+          W.squared = mask_idle(W.r.squaredNorm(), idle, h);
+          W.length = sqrt(W.squared);
           View<Dim, ReadRegisters> const neighbours(slots, ReadRegisters{columns});
+          if constexpr ((Terms::wants_radial || ...)) {
+            // One division for the kernel's slope and for what a term divides by.
+            Pack const q = W.length * Pack(per_h);
+            Pack const divisor = TermList<Terms...>::divisor(self, neighbours, W);
+            Pack const quotient = Pack(1.0) / (q * divisor);
+            W.slope = scale * CubicSpline<Dim>::slope_shape(q, quotient * divisor);
+            W.inverse = quotient * q;
+          }
           terms.add(self, neighbours, W);
         });
     terms.write(plan.terms, h, i);
   }
 }
 
+template <int Dim, bool drifts, class... Terms>
+void fused_rows_where(SweepPlan const& plan, std::size_t begin, std::size_t end) {
+  plan.wrapping == Wrapping::none
+      ? fused_rows_in<Dim, Wrapping::none, drifts, Terms...>(plan, begin, end)
+      : fused_rows_in<Dim, Wrapping::along_axes, drifts, Terms...>(plan, begin, end);
+}
+
 template <int Dim, class... Terms>
 void fused_rows(SweepPlan const& plan, std::size_t begin, std::size_t end) {
-  plan.wrapping == Wrapping::none ? fused_rows_in<Dim, Wrapping::none, Terms...>(plan, begin, end)
-                                  : fused_rows_in<Dim, Wrapping::along_axes, Terms...>(plan, begin, end);
+  if constexpr ((reads_state_velocity<Terms> || ...)) {
+    if (plan.slots.u != plan.slots.v) return fused_rows_where<Dim, true, Terms...>(plan, begin, end);
+  }
+  fused_rows_where<Dim, false, Terms...>(plan, begin, end);
 }
 
 template <int Dim, class... Terms>
 constexpr FusedSweep fused() {
-  return {{sum_row<Terms, Dim>...}, (Terms::reads | ...), fused_rows<Dim, Terms...>};
+  return {.terms = {sum_row<Terms, Dim>...},
+          .reads = (Terms::reads | ...),
+          .reads_state_velocity = (reads_state_velocity<Terms> || ...),
+          .rows = fused_rows<Dim, Terms...>};
 }
 
 /// Copies the records of a row's neighbours side by side, with their distances and kernel slopes.
@@ -271,15 +304,20 @@ struct SumTerms {
 };
 
 /// Takes the gatherer that suits a plan; common plans have one of their own, in which all sizes are known.
+template <int Dim, class Work, Wrapping wrapping, bool own_lengths, class... Rest>
+SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
+  if constexpr (wrapping != Wrapping::turned) {
+    if (plan.stride == 4) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 1>>(plan, rest...);
+    if (plan.stride == 8) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 2>>(plan, rest...);
+    if (plan.stride == 12) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 3>>(plan, rest...);
+    if (plan.stride == 16) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 4>>(plan, rest...);
+  }
+  Work::template run<Gatherer<Dim, wrapping, own_lengths, 0>>(plan, rest...);
+}
 template <int Dim, class Work, Wrapping wrapping, class... Rest>
 SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
-  if (plan.slots.h >= 0) return Work::template run<Gatherer<Dim, wrapping, true, 0>>(plan, rest...);
-  if constexpr (wrapping != Wrapping::turned) {
-    if (plan.stride == 4) return Work::template run<Gatherer<Dim, wrapping, false, 1>>(plan, rest...);
-    if (plan.stride == 8) return Work::template run<Gatherer<Dim, wrapping, false, 2>>(plan, rest...);
-    if (plan.stride == 12) return Work::template run<Gatherer<Dim, wrapping, false, 3>>(plan, rest...);
-  }
-  Work::template run<Gatherer<Dim, wrapping, false, 0>>(plan, rest...);
+  if (plan.slots.h >= 0) return with_gatherer<Dim, Work, wrapping, true>(plan, rest...);
+  with_gatherer<Dim, Work, wrapping, false>(plan, rest...);
 }
 template <int Dim, class Work, class... Rest>
 SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
@@ -473,6 +511,7 @@ constexpr std::array<FusedSweep, most_fused> all_fused(std::tuple<Schemes...> co
   (put(fused<Dim, RateTerm<Schemes, Dim>>()), ...);
   (put(flux_alone<Schemes, Dim>()), ...);
   put(fused<Dim, DensityTerm<Dim>>());
+  put(fused<Dim, ApproachTerm<Dim>>());
   for (FusedSweep const& one : fused_gas<Dim, PressureOverDensitySquared, InternalEnergyWork>()) put(one);
   for (FusedSweep const& one : fused_gas<Dim, SquareRootOfPressure, SquareRootOfPressureWork>()) put(one);
   return all;
@@ -480,7 +519,7 @@ constexpr std::array<FusedSweep, most_fused> all_fused(std::tuple<Schemes...> co
 
 template <int Dim, class... Schemes>
 constexpr SweepKernels make_kernels(std::tuple<Schemes...> const* list, char const* name) {
-  static_assert(sizeof...(Schemes) <= most_schemes && 2 * sizeof...(Schemes) + 9 <= most_fused);
+  static_assert(sizeof...(Schemes) <= most_schemes && 2 * sizeof...(Schemes) + 10 <= most_fused);
   return {.instruction_set = name,
           .rows = rows<Dim>,
           .rate = {sum_row<RateTerm<Schemes, Dim>, Dim>...},

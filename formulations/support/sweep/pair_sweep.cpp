@@ -49,14 +49,31 @@ struct PairSweep<Dim>::Records {
         values(record_space.of(slots.stride() * std::max<std::size_t>(1, particles.size()))) {
     std::vector<double const*> const sources = sources_of(particles, state_velocity);
     std::size_t const stride = slots.stride();
-    for_each_row(particles.size(), threads, [&](std::size_t i) {
-      double* const record = values + i * stride;
-      for (std::size_t s = 0; s < stride; ++s) record[s] = sources[s] ? sources[s][i] : 0.0;
-      if (slots.rho >= 0) record[slots.per_rho] = 1.0 / record[slots.rho];
+    for_each_block(particles.size(), threads, [&](std::size_t begin, std::size_t end) {
+      // Slot after slot, on as many records at a time as the nearest cache holds.
+      for (std::size_t first = begin; first < end; first += records_at_a_time) {
+        std::size_t const last = std::min(first + records_at_a_time, end);
+        for (std::size_t s = 0; s < stride; ++s) fill_slot(s, sources[s], first, last);
+      }
     });
   }
 
  private:
+  static constexpr std::size_t records_at_a_time = 128;
+
+  /// @param source null where the slot holds 1/rho or nothing
+  void fill_slot(std::size_t slot, double const* source, std::size_t first, std::size_t last) {
+    std::size_t const stride = slots.stride();
+    if (source != nullptr) {
+      for (std::size_t i = first; i < last; ++i) values[i * stride + slot] = source[i];
+    } else if (static_cast<int>(slot) == slots.per_rho) {
+      for (std::size_t i = first; i < last; ++i)
+        values[i * stride + slot] = 1.0 / values[i * stride + slots.rho];
+    } else {
+      for (std::size_t i = first; i < last; ++i) values[i * stride + slot] = 0.0;
+    }
+  }
+
   /// Per slot where its values are; null for what is computed or nothing.
   std::vector<double const*> sources_of(Particles<Dim> const& particles,
                                         VectorField<Dim> const* state_velocity) const {
@@ -85,8 +102,10 @@ struct PairSweep<Dim>::Records {
 /// The loop made for just these terms, if there is one for such particles.
 template <int Dim>
 FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan) const {
-  if (plan.slots.h >= 0 || plan.slots.u != plan.slots.v || plan.wrapping == Wrapping::turned) return nullptr;
+  if (plan.slots.h >= 0 || plan.wrapping == Wrapping::turned) return nullptr;
+  bool const drifts = plan.slots.u != plan.slots.v;
   for (FusedSweep const& one : sweep_kernels<Dim>().fused) {
+    if (drifts && !one.reads_state_velocity) continue;
     std::size_t same = 0;
     while (same < terms_.size() && same < one.terms.size() && one.terms[same] == terms_[same].sum) ++same;
     bool const all = same == terms_.size() && (same == one.terms.size() || one.terms[same] == nullptr);

@@ -115,11 +115,12 @@ struct Candidates {
 inline constexpr std::size_t most_schemes = 32;
 
 /// Sweeps of terms that are often wanted together have a loop of their own, in which a neighbour goes from
-/// its record into all terms without being copied in between. Serves plans without own smoothing lengths,
-/// drift and turned boxes.
+/// its record into all terms without being copied in between. Serves plans without own smoothing lengths and
+/// turned boxes.
 struct FusedSweep {
   std::array<RowFunction, 4> terms;  ///< null after the last
   FieldSet reads;                    ///< of all of them
+  bool reads_state_velocity;         ///< serves plans with drift too
   void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end);
 };
 inline constexpr std::size_t most_fused = 40;

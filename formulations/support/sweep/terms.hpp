@@ -82,6 +82,7 @@ struct DensityTerm {
 template <int Dim>
 struct ViscosityTerm {
   static constexpr FieldSet reads{Field::mass, Field::density, Field::velocity, Field::sound_speed};
+  static constexpr bool reads_state_velocity = true;
   static constexpr bool wants_radial = true;
   static constexpr int components = Dim + 2;
   MonaghanViscosity law;
@@ -91,18 +92,23 @@ struct ViscosityTerm {
 
   SPHVERIFY_INLINE explicit ViscosityTerm(void const* parameters)
       : law(*static_cast<MonaghanViscosity const*>(parameters)) {}
+  SPHVERIFY_INLINE static Pack mean_rho(auto const& i, auto const& j) {
+    return Pack(0.5) * (i.rho() + j.rho());
+  }
+  SPHVERIFY_INLINE static Pack divisor(auto const& i, auto const& j, auto const& W) {
+    return MonaghanViscosity::divisor(W.squared_distance(), W.h(), mean_rho(i, j));
+  }
   SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
-    auto const v_ij = i.u() - j.u();
+    auto const v_ji = j.u() - i.u();  // as the work has it: one difference serves both
     Pack const h = W.h();
-    Pack const r = W.distance();
     // Beyond the support nothing rubs; a list may hold pairs that are not near yet.
     Pack const approach =
-        select(r < Pack(CubicSpline<Dim>::support_ratio) * h, v_ij.dot(W.separation()), 0.0);
+        select(W.distance() < Pack(CubicSpline<Dim>::support_ratio) * h, -v_ji.dot(W.separation()), 0.0);
     auto const [mu, Pi] =
-        law.pair(approach, r * r, h, Pack(0.5) * (i.c() + j.c()), Pack(0.5) * (i.rho() + j.rho()));
+        law.pair(approach, h, Pack(0.5) * (i.c() + j.c()), mean_rho(i, j), W.with_inverse(divisor(i, j, W)));
     auto const push = (j.m() * Pi) * W.gradient();
     acceleration = acceleration - push.eval();
-    heating += Pack(0.5) * v_ij.dot(push);
+    heating -= Pack(0.5) * v_ji.dot(push);
     largest = max(largest, -mu);
   }
   SPHVERIFY_INLINE void write(double, double* out) const {

@@ -62,7 +62,10 @@ class KernelColumns {
     return Pack::load(row_.radial + k_);
   }  ///< (r_ij . grad_i W_ij)/r_ij^2
   SPHVERIFY_INLINE Pack distance() const { return Pack::load(row_.distance + k_); }  ///< r_ij
-  SPHVERIFY_INLINE PackVector<Dim> separation() const {                              ///< r_i - r_j
+  SPHVERIFY_INLINE Pack squared_distance() const { return distance() * distance(); }
+  /// @param divisor the term's `divisor`
+  SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, Pack(1.0) / divisor}; }
+  SPHVERIFY_INLINE PackVector<Dim> separation() const {  ///< r_i - r_j
     PackVector<Dim> value;
     for (int d = 0; d < Dim; ++d) {
       value.component[d] = Pack::load(row_.columns + static_cast<std::size_t>(d) * part_size + k_);
@@ -85,11 +88,14 @@ class KernelColumns {
 template <int Dim>
 struct KernelRegisters {
   PackVector<Dim> r;
-  Pack length, slope;
+  Pack squared, length, slope;
+  Pack inverse;  ///< of the divisor that one of the terms has
   double common_h;
 
   SPHVERIFY_INLINE Pack radial() const { return slope; }
   SPHVERIFY_INLINE Pack distance() const { return length; }
+  SPHVERIFY_INLINE Pack squared_distance() const { return squared; }
+  SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, inverse}; }
   SPHVERIFY_INLINE PackVector<Dim> separation() const { return r; }
   SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
   SPHVERIFY_INLINE Pack h() const { return common_h; }

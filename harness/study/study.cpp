@@ -239,7 +239,6 @@ std::optional<ViscosityChoice> read_viscosity(Node const& node) {
   return ViscosityChoice{coefficient("alpha"), coefficient("beta")};
 }
 
-/// Both ends are to make sense for every case.
 /// A number of repeats, or when there are enough.
 RepeatRule read_repeat(Node const& node) {
   if (!node.is_object()) {
@@ -269,6 +268,7 @@ Json to_json(RepeatRule const& rule) {
   return {{"most", rule.most}, {"least", rule.least}, {"spread", rule.spread}, {"seconds", rule.seconds}};
 }
 
+/// Both ends are to make sense for every case.
 EnvelopeChoice read_envelope(Node const& node, Study const& study) {
   node.require_keys({"parameter", "from", "to", "scale", "bisections"});
   EnvelopeChoice choice;

@@ -8,7 +8,7 @@ namespace sphverify {
 
 namespace {
 
-/// Below it the machine was disturbed: a run that has a core to itself works at 99% and more.
+/// Below it the machine was disturbed; a run alone on its core waits for nothing.
 constexpr double least_busy = 0.95;
 
 /// What is compared: one slow repeat moves a mean, one lucky repeat a minimum, neither of them the median.

@@ -364,8 +364,9 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
          "largest flux; the last column is their median where heat crosses walls. settled: asymptotic\n"
          "unsettled: order still changing   short: fewer than three levels   <=: the coarsest got there\n"
          "fails: worse than any number   The rules of the verdicts: sphverify describe order\n"
-         "Run times: medians, with 95% interval where repeats give one   *: the fastest   ~: cannot be told\n"
-         "from it   >=: the fastest's coarsest got there. Only times of one results file are compared.\n" +
+         "Run times: ratios of medians with 95% interval, 1.09±0.05 or 2.4 (1.9-3.1), where repeats give\n"
+         "one   *: the fastest   ~: cannot be told from it   >=: the fastest's coarsest got there\n"
+         "Only times of one results file are compared.\n" +
          disturbance(rows);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace sphverify {
 
@@ -14,10 +15,16 @@ constexpr double least_busy = 0.95;
 /// What is compared: one slow repeat moves a mean, one lucky repeat a minimum, neither of them the median.
 Number typical(TimeToTarget const& time) { return time.median.median ? time.median.median : time.seconds; }
 
-/// With as many decimals as tell the ratio to a few percent, the ends with as many.
+/// "1.09±0.05" where the ends are within 10%, by the further one; else "2.4 (1.9-3.1)".
 std::string with_interval(double ratio, double low, double high) {
-  int const decimals = ratio < 2.0 ? 2 : ratio < 10.0 ? 1 : 0;
-  return fmt::format("{:.{}f} ({:.{}f}-{:.{}f})", ratio, decimals, low, decimals, high, decimals);
+  double const half = std::max(high - ratio, ratio - low);
+  if (half < 0.1 * ratio) {
+    int const decimals = ratio < 10.0 ? 2 : 1;
+    double const unit = std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f}±{:.{}f}", ratio, decimals, unit * std::ceil(half / unit), decimals);
+  }
+  auto const digits = [](double x) { return fmt::format("{:.{}f}", x, x < 9.95 ? 1 : 0); };
+  return fmt::format("{} ({}-{})", digits(ratio), digits(low), digits(high));
 }
 
 }  // namespace

@@ -41,11 +41,19 @@ BOOST_AUTO_TEST_CASE(what_cannot_be_told_from_the_fastest_is_marked) {
   std::vector<SeriesRow> const rows{row(time_of(0.9, 1.0, 1.1)), row(time_of(1.0, 1.2, 1.3)),
                                     row(time_of(2.2, 2.4, 2.6)), row(time_of(90.0, 100.0, 121.0))};
   BOOST_TEST(text(rows, 0) == "1");
-  BOOST_TEST(text(rows, 1) == "1.20 (0.91-1.44)~");
+  BOOST_TEST(text(rows, 1) == "1.2 (0.9-1.4)~");
   BOOST_TEST(text(rows, 2) == "2.4 (2.0-2.9)");
   BOOST_TEST(text(rows, 3) == "100 (82-134)");
   BOOST_TEST(is_fastest(rows, 0));
   for (std::size_t k = 1; k < rows.size(); ++k) BOOST_TEST(!is_fastest(rows, k));
+}
+
+BOOST_AUTO_TEST_CASE(a_narrow_interval_is_written_by_its_further_end) {
+  std::vector<SeriesRow> const rows{row(time_of(0.99, 1.0, 1.01)), row(time_of(1.98, 2.0, 2.02)),
+                                    row(time_of(1.0, 1.005, 1.01)), row(time_of(29.8, 30.0, 30.1))};
+  BOOST_TEST(text(rows, 1) == "2.00±0.05", "2.02 / 0.99 is 2.0404");
+  BOOST_TEST(text(rows, 2) == "1.00±0.02~");
+  BOOST_TEST(text(rows, 3) == "30.0±0.5");
 }
 
 BOOST_AUTO_TEST_CASE(the_fastest_is_so_by_its_median_and_not_by_a_lucky_repeat) {

@@ -86,11 +86,20 @@ struct WallFlux {
   double scale = 0.0;  ///< largest exact flux along the wall's normal anywhere in the domain at that time
 };
 
+/// Median of repeated timings, and the 95% interval of it where there are enough of them [s].
+struct MedianSeconds {
+  Number median, low, high;
+};
+
 struct Cost {
   double seconds = 0.0;        ///< wall time of set-up and run, minimum over the repeats
   Number cpu_seconds;          ///< processor time of the same repeat; empty with several threads
   double setup_seconds = 0.0;  ///< of it, before the first step
+  MedianSeconds median{};      ///< of the wall time of all repeats
+  Number busy{};               ///< processor time over wall time of all repeats; empty with several threads
   int repeats = 0;
+  int batch = 1;         ///< runs timed together as one repeat, whose time is divided by their number
+  bool warm_up = false;  ///< whether the same was run before the first repeat
   std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0, peak_bytes = 0;
 };
 
@@ -248,6 +257,7 @@ struct SeriesLevel {
   Number error;   ///< mean over the replicates
   Number spread;  ///< their standard deviation; empty for fewer than two
   Number seconds;
+  MedianSeconds median{};  ///< means over the replicates
 };
 
 struct OrderEntry {
@@ -262,7 +272,8 @@ struct TimeToError {
   double relative = 0.0;  ///< target relative to the exact field's norm
   double error = 0.0;     ///< target, absolute
   Number seconds;
-  bool is_bound = false;  ///< the coarsest level reached it already: an upper bound
+  bool is_bound = false;   ///< the coarsest level reached it already: an upper bound
+  MedianSeconds median{};  ///< the same of the medians and of the ends of their intervals
 };
 
 /// Runs that differ only in resolution (and in the seed of a layout that is drawn by lot).

@@ -96,17 +96,29 @@ struct Measured {
   Series const* series = nullptr;
   Number value;
   Number lower, upper;  ///< interval of the value, where it has one
+  /// Of a ratio of times: the ends if the noise were as kind to the gate as the interval allows. Only a gate
+  /// that does not hold even then fails by more than noise.
+  Number kindest_lower, kindest_upper;
   std::string word;     ///< of a measure that is a word
   std::string problem;  ///< why there is no number; empty where there is one
 };
 
-enum class Verdict { passed, failed, undecided, expected_failure, unexpected_pass, selects_nothing };
+enum class Verdict {
+  passed,
+  within_noise,
+  failed,
+  undecided,
+  expected_failure,
+  unexpected_pass,
+  selects_nothing
+};
 
 std::string_view word(Verdict verdict);
 
 /// Whether a verdict lets the whole pass.
 constexpr bool holds(Verdict verdict) {
-  return verdict == Verdict::passed || verdict == Verdict::expected_failure;
+  return verdict == Verdict::passed || verdict == Verdict::within_noise ||
+         verdict == Verdict::expected_failure;
 }
 
 /// A gate did not hold: exit status 1. What there is to say has been written.

@@ -21,7 +21,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// What came of one run or series; the larger the badness, the worse within the same outcome.
 struct Outcome {
-  enum Kind { passed, undecided, failed } kind = passed;
+  enum Kind { passed, within_noise, undecided, failed } kind = passed;
   double badness = 0.0;
   Measured measured;
   Number baseline;
@@ -46,6 +46,11 @@ Outcome judge_range(Gate const& gate, Measured const& m) {
   } else if (lower < minimum || upper > maximum) {
     outcome.kind = Outcome::undecided;
   }
+  bool const may_be_noise = gate.interval_decides && m.kindest_lower && m.kindest_upper;
+  if (outcome.kind != Outcome::passed && may_be_noise && *m.kindest_lower >= minimum &&
+      *m.kindest_upper <= maximum) {
+    outcome.kind = Outcome::within_noise;
+  }
   // Without an interval nothing says that an order is not noise.
   if (gate.measure == GateMeasure::order && gate.interval_decides && !interval_known &&
       outcome.kind == Outcome::passed) {
@@ -60,6 +65,17 @@ Outcome judge_equals(Gate const& gate, Measured const& m) {
   outcome.kind = equal ? Outcome::passed : Outcome::failed;
   if (gate.limit.equals) outcome.badness = std::abs(*m.value - *gate.limit.equals);
   return outcome;
+}
+
+/// Whether the interval is that of timings alone, and no bound.
+bool is_of_timings(Measured const& m) {
+  return m.kindest_lower && *m.kindest_lower == *m.upper && *m.kindest_upper == *m.lower;
+}
+
+/// How far two ratios of times are apart at least.
+double gap(Measured const& a, Measured const& b) {
+  if (!is_of_timings(a) || !is_of_timings(b)) return infinity;
+  return std::max({0.0, *a.lower - *b.upper, *b.lower - *a.upper});
 }
 
 double tolerance_of(Tolerance const& within, double baseline) {
@@ -80,6 +96,8 @@ Outcome judge_within(Gate const& gate, Measured const& m, std::vector<Measured> 
   double const difference = std::abs(*m.value - *old->value);
   double const tolerance = tolerance_of(*gate.limit.within, *old->value);
   outcome.kind = difference <= tolerance ? Outcome::passed : Outcome::failed;
+  if (outcome.kind == Outcome::failed && gate.interval_decides && gap(m, *old) <= tolerance)
+    outcome.kind = Outcome::within_noise;
   outcome.badness = difference == 0.0 ? 0.0 : difference / tolerance;
   return outcome;
 }
@@ -132,6 +150,7 @@ std::string explain(Gate const& gate, Outcome const& worst) {
   if (!m.problem.empty()) return m.problem;
   if (gate.measure == GateMeasure::status && worst.kind == Outcome::failed && !m.run->reason.empty())
     return m.run->reason;
+  if (worst.kind == Outcome::within_noise) return "the timings are too noisy to tell";
   if (worst.kind == Outcome::undecided) {
     return m.lower ? "the limit lies inside the interval"
                    : "no interval: fewer than three levels tell noise from order";
@@ -156,6 +175,7 @@ Verdict verdict_of(Gate const& gate, Outcome const& worst) {
   bool const passed = worst.kind == Outcome::passed;
   if (gate.expect_failure) return passed ? Verdict::unexpected_pass : Verdict::expected_failure;
   if (passed) return Verdict::passed;
+  if (worst.kind == Outcome::within_noise) return Verdict::within_noise;
   return worst.kind == Outcome::undecided ? Verdict::undecided : Verdict::failed;
 }
 
@@ -192,7 +212,7 @@ GateVerdict judge_gate(Gate const& gate, Results const& results, Baselines const
   verdict.looked_at = outcomes.size();
   verdict.failing =
       static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(), [](Outcome const& outcome) {
-        return outcome.kind != Outcome::passed;
+        return outcome.kind > Outcome::within_noise;
       }));
   return verdict;
 }
@@ -203,6 +223,8 @@ std::string_view word(Verdict verdict) {
   switch (verdict) {
     case Verdict::passed:
       return "passed";
+    case Verdict::within_noise:
+      return "within-noise";
     case Verdict::failed:
       return "failed";
     case Verdict::undecided:

@@ -17,6 +17,7 @@
 #include "harness/gate/text.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/norm_of.hpp"
+#include "reports/table/time_ratio.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify {
@@ -52,6 +53,7 @@ std::vector<Quantity<Cost>> const& cost_table() {
   };
   static std::vector<Quantity<Cost>> const table{
       {"seconds", [](Cost const& c) { return Number(c.seconds); }, ""},
+      {"median_seconds", [](Cost const& c) { return c.median.median; }, ""},
       {"cpu_seconds", [](Cost const& c) { return c.cpu_seconds; }, ""},
       {"setup_seconds", [](Cost const& c) { return Number(c.setup_seconds); }, ""},
       {"steps", count(&Cost::steps), ""},
@@ -321,11 +323,25 @@ class Measurer {
                               reached(own) ? other->label : m.series->label, gate_.target);
       return;
     }
-    m.value = *own->seconds / *its->seconds;
-    if (own->is_bound || its->is_bound) {
-      m.lower = own->is_bound ? 0.0 : *m.value;
-      m.upper = its->is_bound ? std::numeric_limits<double>::infinity() : *m.value;
-    }
+    TimeRatio const ratio = *time_ratio(of_target(*own), of_target(*its));
+    m.value = ratio.value;
+    put_noise(m, ratio);
+    if (!own->is_bound && !its->is_bound) return;
+    double const infinity = std::numeric_limits<double>::infinity();
+    m.lower = own->is_bound ? 0.0 : ratio.low.value_or(ratio.value);
+    m.upper = its->is_bound ? infinity : ratio.high.value_or(ratio.value);
+    if (!ratio.low) return;
+    // Noise moves the closed end alone.
+    if (own->is_bound) m.kindest_lower = 0.0;
+    if (its->is_bound) m.kindest_upper = infinity;
+  }
+
+  static TimeToTarget of_target(TimeToError const& t) { return {t.seconds, t.median, t.is_bound}; }
+
+  /// The interval of a ratio of times: a gate may take any number in it.
+  static void put_noise(Measured& m, TimeRatio const& ratio) {
+    m.lower = m.kindest_upper = ratio.low;
+    m.upper = m.kindest_lower = ratio.high;
   }
 
   void measure_cost(Measured& m) {
@@ -347,6 +363,15 @@ class Measurer {
     Number const own = quantity.value(*m.run->cost);
     Number const its = quantity.value(*other->cost);
     put(m, own && its && *its > 0.0 ? Number(*own / *its) : Number(), gate_.quantity + " is null or zero");
+    if (!m.value || (gate_.quantity != "seconds" && gate_.quantity != "median_seconds")) return;
+    auto ratio =
+        time_ratio({m.run->cost->seconds, m.run->cost->median}, {other->cost->seconds, other->cost->median});
+    if (!ratio || !ratio->low) return;
+    // The minimum has no interval of its own: it takes the median's, as far as that must be widened to hold
+    // it.
+    ratio->low = std::min(*ratio->low, *m.value);
+    ratio->high = std::max(*ratio->high, *m.value);
+    put_noise(m, *ratio);
   }
 
   void measure_stability(Measured& m) {

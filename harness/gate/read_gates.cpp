@@ -39,7 +39,7 @@ Words keys_of(GateMeasure measure) {
     case GateMeasure::time_to_error:
       return {"field", "region", "norm", "target", "relative_to", "interval"};
     case GateMeasure::cost:
-      return {"quantity", "resolution", "relative_to"};
+      return {"quantity", "resolution", "relative_to", "interval"};
   }
   return {};
 }

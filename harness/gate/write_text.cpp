@@ -15,15 +15,16 @@ constexpr std::size_t narrowest_name = 12;
 
 char const* colour_of(Verdict verdict) {
   if (verdict == Verdict::passed) return "\x1b[32m";
-  return verdict == Verdict::expected_failure ? "\x1b[33m" : "\x1b[1;31m";
+  return holds(verdict) ? "\x1b[33m" : "\x1b[1;31m";
 }
 
 }  // namespace
 
 std::string verdicts_summary(std::vector<GateVerdict> const& verdicts) {
   std::vector<std::string> parts;
-  for (Verdict const verdict : {Verdict::passed, Verdict::expected_failure, Verdict::failed,
-                                Verdict::undecided, Verdict::unexpected_pass, Verdict::selects_nothing}) {
+  for (Verdict const verdict :
+       {Verdict::passed, Verdict::within_noise, Verdict::expected_failure, Verdict::failed,
+        Verdict::undecided, Verdict::unexpected_pass, Verdict::selects_nothing}) {
     auto const count = std::count_if(verdicts.begin(), verdicts.end(),
                                      [&](GateVerdict const& one) { return one.verdict == verdict; });
     if (count > 0) parts.push_back(fmt::format("{} {}", count, word(verdict)));

@@ -62,13 +62,25 @@ RegionError const* find_error(RunRecord const& run, std::string const& field, st
   return r == f->second.end() ? nullptr : &r->second;
 }
 
-Number mean_seconds(std::vector<RunRecord const*> const& level) {
+/// Mean of a time of all runs of a level; empty if one has none.
+template <class TimeOf>
+Number mean_time(std::vector<RunRecord const*> const& level, TimeOf const& time_of) {
   double sum = 0.0;
   for (RunRecord const* run : level) {
-    if (!run->cost) return std::nullopt;
-    sum += run->cost->seconds;
+    Number const time = run->cost ? time_of(*run->cost) : Number();
+    if (!time) return std::nullopt;
+    sum += *time;
   }
   return sum / static_cast<double>(level.size());
+}
+
+void set_times(std::vector<RunRecord const*> const& members, SeriesLevel& level) {
+  level.seconds = mean_time(members, [](Cost const& c) { return Number(c.seconds); });
+  // If every run's interval holds its median, the means of the ends hold the mean of the medians.
+  for (Number MedianSeconds::*const part :
+       {&MedianSeconds::median, &MedianSeconds::low, &MedianSeconds::high}) {
+    level.median.*part = mean_time(members, [part](Cost const& c) { return c.median.*part; });
+  }
 }
 
 Number standard_deviation(std::vector<double> const& values) {
@@ -101,7 +113,8 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
              static_cast<double>(step.errors.size());
     }
     entry.levels.push_back({level.front()->resolution, step.spacing, static_cast<int>(level.size()), mean,
-                            standard_deviation(step.errors), mean_seconds(level)});
+                            standard_deviation(step.errors), std::nullopt});
+    set_times(level, entry.levels.back());
     ladder.push_back(std::move(step));
   }
   entry.observed = observed_order(ladder);
@@ -123,10 +136,19 @@ void set_seconds(std::vector<SeriesLevel> const& levels, TimeToError& entry) {
     }
     if (*level.error <= entry.error) {
       entry.seconds = level.seconds;
+      entry.median = level.median;
       entry.is_bound = before == nullptr || *level.error <= 0.0;
       if (entry.is_bound) return;
       double const part = std::log(*before->error / entry.error) / std::log(*before->error / *level.error);
-      entry.seconds = *before->seconds * std::pow(*level.seconds / *before->seconds, part);
+      auto const between = [part](Number const& a, Number const& b) {
+        return a && b ? Number(*a * std::pow(*b / *a, part)) : std::nullopt;
+      };
+      entry.seconds = between(before->seconds, level.seconds);
+      // The time between two rises with both, so that its ends come from theirs.
+      for (Number MedianSeconds::*const end :
+           {&MedianSeconds::median, &MedianSeconds::low, &MedianSeconds::high}) {
+        entry.median.*end = between(before->median.*end, level.median.*end);
+      }
       return;
     }
     before = &level;

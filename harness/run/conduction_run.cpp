@@ -282,13 +282,9 @@ class ConductionRun {
     }
   }
 
-  /// Times set-up and run at the chosen tolerance, without the measurements above.
+  /// Times set-up and run at the chosen tolerance, without the measurements above; the measured runs warm up.
   void measure_cost() {
-    Cost best;
-    best.seconds = std::numeric_limits<double>::infinity();
-    int timed = 0;
-    for (int r = 0; r < std::max(1, options_.repeat); ++r) {
-      if (timed > 0 && options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget) break;
+    auto const once = [&]() -> std::optional<Cost> {
       Clock const clock;
       FrozenConduction<Dim> conduction(problem_, choice_, scale_);
       double const setup = clock.seconds();
@@ -299,20 +295,21 @@ class ConductionRun {
         // The measured run stands; only its timing is lost, and was to the time budget.
         record_.status = "ok";
         record_.reason.clear();
-        break;
+        return std::nullopt;
       }
-      ++timed;
-      if (seconds >= best.seconds) continue;
-      best.seconds = seconds;
-      best.cpu_seconds = options_.threads == 1 ? Number(cpu_seconds) : std::nullopt;
-      best.setup_seconds = setup;
-      best.steps = result->steps;
-      best.rate_evaluations = conduction.scene().work().evaluations;
-      best.pair_interactions = conduction.scene().work().pair_interactions;
-      best.peak_bytes = conduction.bytes();
-    }
-    best.repeats = timed;
-    if (timed > 0) record_.cost = best;
+      Cost cost;
+      cost.seconds = seconds;
+      cost.cpu_seconds = options_.threads == 1 ? Number(cpu_seconds) : std::nullopt;
+      cost.setup_seconds = setup;
+      cost.steps = result->steps;
+      cost.rate_evaluations = conduction.scene().work().evaluations;
+      cost.pair_interactions = conduction.scene().work().pair_interactions;
+      cost.peak_bytes = conduction.bytes();
+      return cost;
+    };
+    record_.cost = time_repeats(options_.repeat, once, [&] {
+      return options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget;
+    });
   }
 
   /// Of the rate linearised about the exact solution at the final time.

@@ -134,7 +134,6 @@ class MovingRun {
     state.cost = {.seconds = clock.seconds(),
                   .cpu_seconds = options_.threads == 1 ? Number(clock.cpu_seconds()) : std::nullopt,
                   .setup_seconds = setup,
-                  .repeats = 1,
                   .steps = result.steps,
                   .rate_evaluations = scene.work().evaluations,
                   .pair_interactions = scene.work().pair_interactions,
@@ -440,23 +439,31 @@ class MovingRun {
     if (apart.scale.l2 > 0.0) motion.energy_routes = apart.error.l2 / apart.scale.l2;
   }
 
+  /// The measured run warms up. Where it is to be timed once only, or takes all the time that the repeats may
+  /// take, it is timed itself instead: a second run would cost more than it tells.
   void measure_cost(FinalState<Dim> const& state) {
-    Cost best = state.cost;
     double const rung =
         is_leapfrog() ? *record_.integration->courant_factor : *record_.integration->relative_tolerance;
-    for (int r = 1; r < options_.repeat; ++r) {
-      if (options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget) break;
-      RunRecord const kept = record_;
-      auto const again = integrate(choice_, rung);
-      if (!again) {
-        record_ = kept;
-        break;
-      }
-      int const repeats = best.repeats + 1;
-      if (again->cost.seconds < best.seconds) best = again->cost;
-      best.repeats = repeats;
+    RepeatRule const& rule = options_.repeat;
+    auto const out_of_time = [&] {
+      return options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget;
+    };
+    bool const once_is_enough =
+        rule.most == 1 || (rule.seconds > 0.0 && state.cost.seconds >= rule.seconds) || out_of_time();
+    if (!once_is_enough) {
+      auto const once = [&]() -> std::optional<Cost> {
+        RunRecord kept = record_;
+        auto const again = integrate(choice_, rung);
+        if (again) return again->cost;
+        record_ = std::move(kept);
+        return std::nullopt;
+      };
+      record_.cost = time_repeats(rule, once, out_of_time);
     }
-    record_.cost = best;
+    if (record_.cost) return;
+    record_.cost = time_repeats(
+        {}, [&] { return std::optional(state.cost); }, out_of_time);
+    record_.cost->warm_up = false;
   }
 
   Problem<Dim> const& problem_;

@@ -53,6 +53,40 @@ std::size_t first_not_finite(Particles<Dim> const& particles, Field field) {
   return i;
 }
 
+/// One batch of set-ups and evaluations, divided by their number.
+template <int Dim>
+Cost time_batch(Problem<Dim> const& problem, SceneChoice const& choice, int batch) {
+  Cost cost;
+  cost.batch = batch;
+  Clock const clock;
+  for (int k = 0; k < batch; ++k) {
+    double const start = clock.seconds();
+    Scene<Dim> timed(problem, choice);
+    cost.setup_seconds += (clock.seconds() - start) / batch;
+    timed.evaluate(0.0);
+    cost.rate_evaluations = timed.work().evaluations;
+    cost.pair_interactions = timed.work().pair_interactions;
+    cost.peak_bytes = timed.bytes();
+  }
+  cost.seconds = clock.seconds() / batch;
+  if (choice.threads == 1) cost.cpu_seconds = clock.cpu_seconds() / batch;
+  return cost;
+}
+
+/// The evaluation that was measured and the batches that find their size warm up.
+template <int Dim>
+void measure_cost(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
+                  RunRecord& record) {
+  Clock const clock;
+  auto const out_of_time = [&] {
+    if (options.interrupted && *options.interrupted) throw Interrupted();
+    return options.time_budget > 0.0 && clock.seconds() > 0.5 * options.time_budget;
+  };
+  int const batch = batch_for([&](int size) { return time_batch(problem, choice, size).seconds * size; });
+  record.cost = time_repeats(
+      options.repeat, [&] { return time_batch(problem, choice, batch); }, out_of_time);
+}
+
 }  // namespace
 
 template <int Dim>
@@ -92,25 +126,7 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
   }
   if (!options.measure.contains(Measure::cost)) return;
 
-  Cost best;
-  best.seconds = std::numeric_limits<double>::infinity();
-  best.repeats = std::max(1, options.repeat);
-  for (int r = 0; r < best.repeats; ++r) {
-    Clock const clock;
-    Scene<Dim> timed(problem, choice);
-    double const setup = clock.seconds();
-    timed.evaluate(0.0);
-    double const seconds = clock.seconds();
-    double const cpu_seconds = clock.cpu_seconds();
-    if (seconds >= best.seconds) continue;
-    best.seconds = seconds;
-    best.setup_seconds = setup;
-    best.cpu_seconds = options.threads == 1 ? Number(cpu_seconds) : std::nullopt;
-    best.rate_evaluations = timed.work().evaluations;
-    best.pair_interactions = timed.work().pair_interactions;
-    best.peak_bytes = timed.bytes();
-  }
-  record.cost = best;
+  measure_cost(problem, choice, options, record);
 }
 
 template void run_rates(Problem<1> const&, SceneChoice const&, RunOptions const&, RunRecord&);

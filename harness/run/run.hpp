@@ -5,6 +5,7 @@
 
 #include "cases/support/case.hpp"
 #include "formulations/support/flag_set.hpp"
+#include "harness/measure/timing.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
@@ -39,7 +40,7 @@ struct RunSpec {
 struct RunOptions {
   MeasureSet measure;
   int threads = 1;
-  int repeat = 1;            ///< timed repetitions, of which the fastest counts
+  RepeatRule repeat;         ///< of what is timed
   double time_budget = 0.0;  ///< seconds for everything that a run does; 0: none
   std::atomic<bool> const* interrupted = nullptr;
 };

@@ -28,7 +28,7 @@ struct Study {
   std::vector<int> resolutions;  ///< ascending
   MeasureSet measure;
   int threads = 1;
-  int repeat = 1;
+  RepeatRule repeat;
   double time_budget = 0.0;
   std::optional<EnvelopeChoice> envelope;  ///< instead of single runs, how far each can be driven
 };

@@ -76,12 +76,25 @@ NormSet read_norms(Node const& node) {
   return {measured(node.at("l1")), measured(node.at("l2")), measured(node.at("linf"))};
 }
 
+/// Empty in documents of versions that did not measure it.
+MedianSeconds read_median(Node const& node) {
+  auto const read = [&](char const* key) {
+    auto const found = node.find(key);
+    return found ? optional_number(*found) : Number();
+  };
+  return {read("median_seconds"), read("low_seconds"), read("high_seconds")};
+}
+
 Cost read_cost(Node const& node) {
   Cost c;
   c.seconds = measured(node.at("seconds"));
   c.cpu_seconds = optional_number(node.at("cpu_seconds"));
   c.setup_seconds = measured(node.at("setup_seconds"));
+  c.median = read_median(node);
+  if (auto const busy = node.find("busy")) c.busy = optional_number(*busy);
   c.repeats = static_cast<int>(count(node.at("repeats")));
+  if (auto const batch = node.find("batch")) c.batch = static_cast<int>(count(*batch));
+  if (auto const warm_up = node.find("warm_up")) c.warm_up = warm_up->boolean();
   c.steps = count(node.at("steps"));
   c.rate_evaluations = count(node.at("rate_evaluations"));
   c.pair_interactions = count(node.at("pair_interactions"));
@@ -238,14 +251,15 @@ Series read_series(Node const& node) {
     for (Node const& level : entry.at("levels").elements()) {
       e.levels.push_back({static_cast<int>(count(level.at("resolution"))), measured(level.at("spacing")),
                           static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),
-                          optional_number(level.at("spread")), optional_number(level.at("seconds"))});
+                          optional_number(level.at("spread")), optional_number(level.at("seconds")),
+                          read_median(level)});
     }
     s.orders.push_back(std::move(e));
   }
   for (Node const& t : node.at("time_to_error").elements()) {
     s.time_to_error.push_back({t.at("field").string(), t.at("region").string(), t.at("norm").string(),
                                measured(t.at("relative")), measured(t.at("error")),
-                               optional_number(t.at("seconds")), t.at("is_bound").boolean()});
+                               optional_number(t.at("seconds")), t.at("is_bound").boolean(), read_median(t)});
   }
   return s;
 }

@@ -94,15 +94,27 @@ Json to_json(Motion const& m) {
           {"wall_heating", number(m.wall_heating)},       {"energy_routes", number(m.energy_routes)}};
 }
 
+/// Beside the seconds that they are the median of.
+void put_median(Json& json, MedianSeconds const& m) {
+  json["median_seconds"] = number(m.median);
+  json["low_seconds"] = number(m.low);
+  json["high_seconds"] = number(m.high);
+}
+
 Json to_json(Cost const& c) {
-  return {{"seconds", number(c.seconds)},
-          {"cpu_seconds", number(c.cpu_seconds)},
-          {"setup_seconds", number(c.setup_seconds)},
-          {"repeats", c.repeats},
-          {"steps", c.steps},
-          {"rate_evaluations", c.rate_evaluations},
-          {"pair_interactions", c.pair_interactions},
-          {"peak_bytes", c.peak_bytes}};
+  Json json = {{"seconds", number(c.seconds)},
+               {"cpu_seconds", number(c.cpu_seconds)},
+               {"setup_seconds", number(c.setup_seconds)}};
+  put_median(json, c.median);
+  json["busy"] = number(c.busy);
+  json["repeats"] = c.repeats;
+  json["batch"] = c.batch;
+  json["warm_up"] = c.warm_up;
+  json["steps"] = c.steps;
+  json["rate_evaluations"] = c.rate_evaluations;
+  json["pair_interactions"] = c.pair_interactions;
+  json["peak_bytes"] = c.peak_bytes;
+  return json;
 }
 
 Json to_json(Mode const& m) {
@@ -186,6 +198,7 @@ Json to_json(OrderEntry const& e) {
                               {"error", number(level.error)},
                               {"spread", number(level.spread)},
                               {"seconds", number(level.seconds)}});
+    put_median(json["levels"].back(), level.median);
   }
   return json;
 }
@@ -236,6 +249,7 @@ Json to_json(Series const& s) {
                                      {"error", number(t.error)},
                                      {"seconds", number(t.seconds)},
                                      {"is_bound", t.is_bound}});
+    put_median(json["time_to_error"].back(), t.median);
   }
   return json;
 }

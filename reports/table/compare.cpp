@@ -9,6 +9,7 @@
 
 #include "reports/json/results_json.hpp"
 #include "reports/table/series_row.hpp"
+#include "reports/table/time_ratio.hpp"
 
 namespace sphverify {
 
@@ -181,13 +182,10 @@ Cell impulse_cell(SeriesRow const& row) {
   return {percent(row.wall_impulse_defect), row.wall_impulse_defect};
 }
 
-Cell time_cell(SeriesRow const& row, double fastest) {
+Cell time_cell(SeriesRow const& row, TimeTable const& times) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
-  if (!row.seconds_to_percent) return {"never", std::nullopt};
-  std::string const ratio = fmt::format("{:.3g}", *row.seconds_to_percent / fastest);
-  // A bound says neither who is fastest nor by how much.
-  if (row.percent_is_bound) return {"<=" + ratio, std::nullopt};
-  return {ratio, row.seconds_to_percent};
+  TimeTable::Entry const entry = times.entry(row);
+  return {entry.text, entry.is_fastest ? Number(1.0) : std::nullopt};  // only the fastest may be marked
 }
 
 TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
@@ -347,12 +345,13 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
                  options.format, options.colour) +
           "\n";
     }
-    if (has(&SeriesRow::seconds_to_percent)) {
-      double fastest = INFINITY;
-      for (SeriesRow const& row : chosen)
-        fastest = std::min(fastest, row.seconds_to_percent.value_or(INFINITY));
-      text += render(pivot(fmt::format("{}: run time to 1% error, fastest = 1", case_id), chosen,
-                           [fastest](SeriesRow const& row) { return time_cell(row, fastest); }),
+    for (auto const& [percent, target] :
+         {std::pair{"1%", &SeriesRow::to_percent}, {"0.1%", &SeriesRow::to_permille}}) {
+      TimeTable const times(chosen, target);
+      if (times.is_empty()) continue;
+      text += render(pivot(fmt::format("{}: run time to {} error, fastest of its results file = 1", case_id,
+                                       percent),
+                           chosen, [&times](SeriesRow const& row) { return time_cell(row, times); }),
                      options.format, options.colour) +
               "\n";
     }
@@ -364,7 +363,11 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
          "Errors are relative to the exact field's norm (absolute where that is zero), wall fluxes to the\n"
          "largest flux; the last column is their median where heat crosses walls. settled: asymptotic\n"
          "unsettled: order still changing   short: fewer than three levels   <=: the coarsest got there\n"
-         "fails: worse than any number   The rules of the verdicts: sphverify describe order\n";
+         "fails: worse than any number   The rules of the verdicts: sphverify describe order\n"
+         "Run times: ratios of medians with 95% interval, 1.09±0.05 or 2.4 (1.9-3.1), where repeats give\n"
+         "one   *: the fastest   ~: cannot be told from it   >=: the fastest's coarsest got there\n"
+         "Only times of one results file are compared.\n" +
+         disturbance(rows);
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {
@@ -376,7 +379,18 @@ std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {
           {"energy_drift", row.energy_drift},
           {"wall_budget_defect", row.wall_budget_defect},
           {"seconds", row.seconds},
-          {"seconds_to_1_percent", row.seconds_to_percent},
+          {"median_seconds", row.median.median},
+          {"low_seconds", row.median.low},
+          {"high_seconds", row.median.high},
+          {"busy", row.busy},
+          {"seconds_to_1_percent", row.to_percent.seconds},
+          {"median_seconds_to_1_percent", row.to_percent.median.median},
+          {"low_seconds_to_1_percent", row.to_percent.median.low},
+          {"high_seconds_to_1_percent", row.to_percent.median.high},
+          {"seconds_to_1_permille", row.to_permille.seconds},
+          {"median_seconds_to_1_permille", row.to_permille.median.median},
+          {"low_seconds_to_1_permille", row.to_permille.median.low},
+          {"high_seconds_to_1_permille", row.to_permille.median.high},
           {"time_error_share", row.time_error_share},
           {"plateau_pressure_error", row.plateau_pressure},
           {"shock_position_error", row.shock_position_error},

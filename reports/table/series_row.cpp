@@ -59,18 +59,30 @@ void read_motion(RunRecord const& run, SeriesRow& row) {
   for (Budget const& momentum : run.momentum) worsen(row.momentum_drift, momentum.drift / scale);
 }
 
+/// Empty if there are none, or one of them is empty.
+template <class TimeOf>
+Number mean_of(std::vector<Cost const*> const& costs, TimeOf const& time_of) {
+  double sum = 0.0;
+  for (Cost const* cost : costs) {
+    Number const time = time_of(*cost);
+    if (!time) return std::nullopt;
+    sum += *time;
+  }
+  return costs.empty() ? Number() : Number(sum / static_cast<double>(costs.size()));
+}
+
 void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesRow& row) {
   for (std::size_t const index : series.runs) row.finest = std::max(row.finest, runs[index].resolution);
   std::string status;
   int members = 0;
   int failed = 0;
-  double seconds = 0.0;
-  int timed = 0;
+  std::vector<Cost const*> timed;
   for (std::size_t const index : series.runs) {
     RunRecord const& run = runs[index];
     if (run.integration && run.integration->time_error_share) {
       raise(row.time_error_share, *run.integration->time_error_share);
     }
+    if (run.cost && run.cost->busy) row.busy = std::min(row.busy.value_or(*run.cost->busy), *run.cost->busy);
     if (run.resolution != row.finest) continue;
     ++members;
     if (run.status != "ok") {
@@ -78,10 +90,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       status = run.status;
       continue;
     }
-    if (run.cost) {
-      seconds += run.cost->seconds;
-      ++timed;
-    }
+    if (run.cost) timed.push_back(&*run.cost);
     read_motion(run, row);
     for (WallFlux const& wall : run.wall_flux) {
       if (wall.scale > 0.0) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
@@ -97,7 +106,11 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       }
     }
   }
-  if (timed > 0) row.seconds = seconds / timed;
+  row.seconds = mean_of(timed, [](Cost const& c) { return Number(c.seconds); });
+  for (Number MedianSeconds::*const part :
+       {&MedianSeconds::median, &MedianSeconds::low, &MedianSeconds::high}) {
+    row.median.*part = mean_of(timed, [part](Cost const& c) { return c.median.*part; });
+  }
   if (failed > 0) row.failures = fmt::format("{} {}/{}", status, failed, members);
 }
 
@@ -130,10 +143,9 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
     if (scale > 0.0) row.relative_error = *row.error / scale;
   }
   for (TimeToError const& t : series.time_to_error) {
-    if (t.field == row.field && t.region == region && t.norm == norm && t.relative == 0.01) {
-      row.seconds_to_percent = t.seconds;
-      row.percent_is_bound = t.is_bound;
-    }
+    if (t.field != row.field || t.region != region || t.norm != norm) continue;
+    if (t.relative == 0.01) row.to_percent = {t.seconds, t.median, t.is_bound};
+    if (t.relative == 0.001) row.to_permille = {t.seconds, t.median, t.is_bound};
   }
 }
 

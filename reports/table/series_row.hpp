@@ -7,6 +7,13 @@
 
 namespace sphverify {
 
+/// Run time in which a series reaches an error [s].
+struct TimeToTarget {
+  Number seconds;
+  MedianSeconds median{};
+  bool is_bound = false;  ///< the coarsest level reached it already
+};
+
 /// One series, reduced to what the tables show.
 struct SeriesRow {
   std::string document, case_id, parameters, formulation;
@@ -29,10 +36,11 @@ struct SeriesRow {
   Number energy_drift;        ///< largest at the finest level, relative to the energy
   Number wall_budget_defect;  ///< the same
   Number seconds;             ///< mean at the finest level
-  Number seconds_to_percent;  ///< to 1% of the exact field's norm
-  bool percent_is_bound = false;    ///< the coarsest level reached it already
-  bool heat_crosses_walls = false;  ///< an exact wall flux is not zero
-  Number time_error_share;          ///< largest over all runs of the series
+  MedianSeconds median{};     ///< means of the medians and of the ends of their intervals there
+  Number busy;                ///< lowest of the series: processor time over wall time
+  TimeToTarget to_percent, to_permille;  ///< to 1% and to 0.1% of the exact field's norm
+  bool heat_crosses_walls = false;       ///< an exact wall flux is not zero
+  Number time_error_share;               ///< largest over all runs of the series
 
   // Of a moving gas, the worst at the finest level.
   Number plateau_pressure;      ///< relative error behind a shock

@@ -182,6 +182,11 @@ class Studies(BadInput):
             ({"measure": []}, "measure: found an empty list"),
             ({"threads": 0}, "threads: found 0"),
             ({"repeat": 0}, "repeat: found 0"),
+            ({"repeat": "often"}, "repeat: found 'often'"),
+            ({"repeat": {"most": 5, "least": 6}}, "repeat.least: found 6"),
+            ({"repeat": {"spread": 0}}, "repeat.spread: found 0"),
+            ({"repeat": {"seconds": 0}}, "repeat.seconds: found 0"),
+            ({"repeat": {"maximum": 3}}, "repeat.maximum: found an unknown key"),
             ({"time_budget": 0}, "time_budget: found 0"),
             ({"closure": "interpolated", "discretisation": {"closure": "one-sided"}}, "closure"),
         ):

@@ -119,6 +119,22 @@ class Verdicts(Gate):
         line, _ = self.verdict(gate("order", minimum=-50))
         self.assertIn(f"order {order['order']:.3g} [{order['interval'][0]:.3g}, {order['interval'][1]:.3g}]", line)
 
+    def test_a_ratio_of_run_times_fails_only_beyond_its_interval(self):
+        document = strict_json(self.document)
+        for run in document["runs"]:
+            slow = 2 if run["formulation"] == "conduction/brookshaw" else 1
+            run["cost"].update(seconds=0.9 * slow, low_seconds=0.9 * slow, median_seconds=slow, high_seconds=1.1 * slow)
+        results = self.write("timed.json", document)
+        self.assert_valid("sphverify-results-1", document)
+        for maximum, verdict, status in ((3, "passed", DONE), (1.8, "within-noise", DONE), (1.5, "failed", GATE_FAILED)):
+            one = gate("cost", quantity="seconds", maximum=maximum, relative_to="conduction/lucy-flux")
+            self.assert_valid("sphverify-gates-1", {"schema": "sphverify-gates/1", "gates": [one]})
+            line, found = self.verdict(one, results=results)
+            self.assertTrue(line.startswith(f"{verdict}  a gate of cost  seconds ratio 2 [1.64, 2.44]"), line)
+            self.assertEqual(found, status)
+            line, _ = self.verdict(one | {"interval": "ignore"}, results=results)
+            self.assertTrue(line.startswith("passed" if maximum == 3 else "failed"), line)
+
     def test_an_interval_that_holds_the_limit_is_undecided_and_fails(self):
         document = strict_json(self.document)
         lower, upper = document["series"][0]["orders"][1]["interval"]

@@ -28,6 +28,7 @@ LONG_STUDY = small_study(
 )
 RUNS = 2 * 2 * 2 * 2 * 3 * 3
 SECONDS_TO_STOP = 5
+TIMES = ("seconds", "median_seconds", "low_seconds", "high_seconds")
 
 
 def timeless(results):
@@ -36,14 +37,16 @@ def timeless(results):
     del results["context"]
     for run in results["runs"]:
         if run["cost"]:
-            for key in ("seconds", "cpu_seconds", "setup_seconds"):
+            for key in ("cpu_seconds", "setup_seconds", "busy", *TIMES):
                 del run["cost"][key]
     for series in results["series"]:
         for order in series["orders"]:
             for level in order["levels"]:
-                del level["seconds"]
+                for key in TIMES:
+                    del level[key]
         for target in series["time_to_error"]:
-            target["seconds"] = target["seconds"] is not None
+            for key in TIMES:
+                target[key] = target[key] is not None
     return results
 
 

@@ -85,6 +85,15 @@ UNSTABLE_STUDY = small_study(
 )  # fmt: skip
 
 
+REPEATS_STUDY = small_study(
+    name="repeats",
+    cases=[SLAB, "operator/sine", {"id": "hydro/piston-velocity", "parameters": {"final_time": 0.01}}],
+    formulations=["conduction/brookshaw", "momentum/p-rho2"],
+    discretisation=None,
+    resolution=[8, 16], measure=["error", "cost"], repeat={"most": 9, "least": 7, "spread": 1e-9, "seconds": 100},
+)  # fmt: skip
+
+
 class SchemasThemselves(unittest.TestCase):
     def test_the_schemas_of_all_documents_are_there_and_valid(self):
         for document in ("study", "results", "state", "rates"):
@@ -165,6 +174,42 @@ class RealDocuments(ProgramTest):
         self.assertEqual(statuses, {"ok", "positivity-lost"})
         self.assertEqual({run["formulation"] for run in results["runs"]}, set(CONDUCTION + MOMENTUM_AND_WORK))
         self.assertTrue(results["skipped"])
+
+    def test_runs_of_every_kind_are_repeated_until_the_median_is_known(self):
+        results = self.check_results(REPEATS_STUDY)
+        self.assertEqual(results["study"]["repeat"], REPEATS_STUDY["repeat"])
+        self.assertEqual({run["case"] for run in results["runs"]},
+                         {"conduction/slab-dirichlet", "operator/sine", "hydro/piston-velocity"})  # fmt: skip
+        for run in results["runs"]:
+            cost = run["cost"]
+            self.assertEqual((cost["repeats"], cost["warm_up"]), (9, True))
+            self.assertLessEqual(cost["seconds"], cost["low_seconds"])
+            self.assertLess(cost["low_seconds"], cost["high_seconds"])
+            self.assertTrue(cost["low_seconds"] <= cost["median_seconds"] <= cost["high_seconds"], cost)
+            self.assertGreater(cost["busy"], 0)
+            self.assertEqual(cost["batch"] > 1, run["case"] == "operator/sine", "microseconds are timed together")
+        for series in results["series"]:
+            for target in series["time_to_error"]:
+                if target["seconds"] is not None:
+                    self.assertTrue(target["low_seconds"] <= target["median_seconds"] <= target["high_seconds"])
+        table = strict_json(self.succeed("compare", self.folder / "results.json", "--format", "json"))
+        self.assert_valid("sphverify-comparison-1", table)
+        for row in table["series"]:
+            self.assertTrue(row["low_seconds"] <= row["median_seconds"] <= row["high_seconds"])
+
+    def test_few_repeats_have_a_median_but_no_interval(self):
+        results = self.check_results(small_study(repeat={"most": 3}))
+        for run in results["runs"]:
+            self.assertEqual(run["cost"]["repeats"], 3)
+            self.assertGreaterEqual(run["cost"]["median_seconds"], run["cost"]["seconds"])
+            self.assertIsNone(run["cost"]["low_seconds"])
+
+    def test_a_gas_that_is_timed_once_is_not_run_again_for_it(self):
+        gas = {"cases": ["hydro/piston-velocity"], "formulations": ["momentum/p-rho2"], "discretisation": None}
+        for repeat in (1, {"seconds": 1e-9}):
+            for run in self.check_results(small_study(repeat=repeat, **gas))["runs"]:
+                self.assertEqual((run["cost"]["repeats"], run["cost"]["warm_up"]), (1, False))
+                self.assertEqual(run["cost"]["median_seconds"], run["cost"]["seconds"])
 
     def test_manufactured_conduction_in_2d(self):
         results = self.check_results(PLANE_STUDY)
@@ -357,6 +402,9 @@ class WrongDocumentsAreRejected(ProgramTest):
             "an unknown measure": study | {"measure": ["errors"]},
             "no threads": study | {"threads": 0},
             "no repeats": study | {"repeat": 0},
+            "no repeats at most": study | {"repeat": {"most": 0}},
+            "a spread beyond the median": study | {"repeat": {"spread": 1.5}},
+            "a rule of repeats that is not known": study | {"repeat": {"maximum": 3}},
             "no time": study | {"time_budget": 0},
         })  # fmt: skip
 

@@ -93,6 +93,73 @@ BOOST_AUTO_TEST_CASE(a_limit_inside_the_interval_of_an_order_is_undecided) {
   BOOST_TEST(!holds(Verdict::undecided));
 }
 
+// brookshaw takes 2 [1.5, 3] times as long as lucy-flux, which takes a second for sure.
+Results twice_as_long() {
+  return results_of({timed_within(run_at(25, 1.0), 1.5, 2.0, 3.0),
+                     timed_within(run_at(25, 1.0, "conduction/lucy-flux"), 1.0, 1.0, 1.0)});
+}
+
+std::string const ratio = R"("measure": "cost", "quantity": "median_seconds", "relative_to":
+                             "conduction/lucy-flux", )";
+
+BOOST_AUTO_TEST_CASE(a_ratio_of_timings_fails_only_if_all_of_its_interval_does) {
+  Results const results = twice_as_long();
+  for (auto const& [limit, expected] : {std::pair{R"("maximum": 3)", "passed"},
+                                        {R"("maximum": 2.5)", "within-noise"},
+                                        {R"("maximum": 1.6)", "within-noise"},
+                                        {R"("maximum": 1.4)", "failed"},
+                                        {R"("minimum": 1.5)", "passed"},
+                                        {R"("minimum": 1.9)", "within-noise"},
+                                        {R"("minimum": 3.1)", "failed"},
+                                        {R"("minimum": 1.9, "maximum": 2.1)", "within-noise"},
+                                        {R"("maximum": 2.5, "interval": "ignore")", "passed"},
+                                        {R"("maximum": 1.6, "interval": "ignore")", "failed"}}) {
+    BOOST_TEST(outcome(ratio + limit, results) == expected, limit);
+  }
+  GateVerdict const noise = judged(ratio + R"("maximum": 1.6)", results);
+  BOOST_TEST(holds(noise.verdict));
+  BOOST_TEST(noise.detail == "the timings are too noisy to tell");
+  BOOST_TEST(noise.measured == "median_seconds ratio 2 [1.5, 3]");
+  BOOST_TEST(noise.failing == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(noise_does_not_turn_an_expected_failure_into_a_pass) {
+  BOOST_TEST(outcome(ratio + R"("maximum": 1.6, "expect": "fail", "reason": "known")", twice_as_long()) ==
+             "expected-failure");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_stays_undecided_where_noise_alone_cannot_explain_it) {
+  auto const ladder = [](std::string const& id, double error, double seconds) {
+    return std::vector<RunRecord>{
+        timed_within(run_at(10, error, id), 0.5 * seconds, seconds, 2.0 * seconds),
+        timed_within(run_at(20, error / 100.0, id), 2.0 * seconds, 4.0 * seconds, 8.0 * seconds)};
+  };
+  // Its coarsest level was good enough: at most 1/2 [1/8, 2] of the other's time.
+  auto runs = ladder("conduction/brookshaw", 0.01, 1.0);
+  for (RunRecord const& run : ladder("conduction/lucy-flux", 0.2, 1.0)) runs.push_back(run);
+  Results const results = results_of(runs);
+  std::string const gate = R"("measure": "time_to_error", "relative_to": "conduction/lucy-flux", )";
+  BOOST_TEST(outcome(gate + R"("maximum": 2.1)", results) == "passed");
+  BOOST_TEST(outcome(gate + R"("maximum": 0.3)", results) == "within-noise");
+  BOOST_TEST(outcome(gate + R"("maximum": 0.1)", results) == "undecided");
+  BOOST_TEST(outcome(gate + R"("minimum": 0.1)", results) == "undecided");
+  BOOST_TEST(outcome(gate + R"("minimum": 2.1)", results) == "failed");
+}
+
+BOOST_AUTO_TEST_CASE(a_ratio_of_timings_differs_from_the_baseline_only_if_the_intervals_are_apart) {
+  auto const is = [](double low, double median, double high) {
+    Results const now = results_of({timed_within(run_at(25, 1.0), low, median, high),
+                                    timed_within(run_at(25, 1.0, "conduction/lucy-flux"), 1.0, 1.0, 1.0)});
+    std::string const gate = ratio + R"("baseline": "b.json", "within": {"absolute": 0.1})";
+    return std::string(word(judged(gate, now, {{"b.json", twice_as_long()}}).verdict));
+  };
+  BOOST_TEST(is(2.0, 2.05, 2.1) == "passed");
+  BOOST_TEST(is(2.9, 4.0, 5.0) == "within-noise");
+  BOOST_TEST(is(3.05, 4.0, 5.0) == "within-noise", "the tolerance is beside it");
+  BOOST_TEST(is(3.2, 4.0, 5.0) == "failed");
+  BOOST_TEST(is(0.5, 1.0, 1.3) == "failed");
+}
+
 BOOST_AUTO_TEST_CASE(an_order_without_an_interval_is_undecided) {
   Results const two = results_of({run_at(25, 4e-4), run_at(50, 1e-4)});
   BOOST_TEST(outcome(R"("measure": "order", "minimum": 1)", two) == "undecided");

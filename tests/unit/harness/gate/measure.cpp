@@ -264,6 +264,62 @@ BOOST_AUTO_TEST_CASE(a_time_to_error_that_is_a_bound_makes_an_interval) {
                   "gates[0].target: found '0.5', expected one of 0.001, 0.01, 0.1"));
 }
 
+BOOST_AUTO_TEST_CASE(a_ratio_of_timings_has_the_interval_of_their_ends_divided) {
+  std::string const lucy = "conduction/lucy-flux";
+  RunRecord own = timed_within(run_at(25, 1.0), 2.0, 2.4, 3.0);
+  RunRecord const its = timed_within(run_at(25, 1.0, lucy), 1.0, 1.2, 1.5);
+  std::string const gate = R"("measure": "cost", "maximum": 1, "relative_to": "conduction/lucy-flux")";
+  auto const of = [&](std::string const& rest) {
+    return measured(gate + rest, results_of({own, its})).at(0);
+  };
+  Measured m = of(R"(, "quantity": "median_seconds")");
+  BOOST_TEST(*m.value == 2.0);
+  BOOST_TEST(*m.lower == 2.0 / 1.5);
+  BOOST_TEST(*m.upper == 3.0 / 1.0);
+  BOOST_TEST(*m.kindest_lower == *m.upper);
+  BOOST_TEST(*m.kindest_upper == *m.lower);
+  m = of("");
+  BOOST_TEST(*m.value == 2.0, "of the fastest repeats");
+  BOOST_TEST(*m.lower == 2.0 / 1.5);
+  own.cost->seconds = 1.0;
+  BOOST_TEST(*of("").value == 1.0);
+  BOOST_TEST(*of("").lower == 1.0, "the interval holds what is measured");
+  own.cost->cpu_seconds = 1.0;
+  BOOST_TEST(!of(R"(, "quantity": "steps")").lower.has_value());
+  own.cost->median.low.reset();
+  BOOST_TEST(!of("").lower.has_value());
+}
+
+BOOST_AUTO_TEST_CASE(a_ratio_of_times_to_an_error_is_one_of_medians_with_their_interval) {
+  std::string const lucy = "conduction/lucy-flux";
+  auto const both = [&](double own_error, double its_error) {
+    return results_of({timed_within(run_at(10, own_error), 2.0, 3.0, 4.0),
+                       timed_within(run_at(20, own_error / 100.0), 8.0, 12.0, 16.0),
+                       timed_within(run_at(10, its_error, lucy), 1.0, 1.0, 2.0),
+                       timed_within(run_at(20, its_error / 100.0, lucy), 4.0, 4.0, 8.0)});
+  };
+  std::string const gate =
+      R"("measure": "time_to_error", "maximum": 1, "relative_to": "conduction/lucy-flux")";
+  // As above, an error of 0.2 reaches 1% halfway: medians 6 [4, 8] over 2 [2, 4].
+  Measured m = measured(gate, both(0.2, 0.2)).at(0);
+  BOOST_TEST(*m.value == 3.0, tolerance(1e-12));
+  BOOST_TEST(*m.lower == 1.0, tolerance(1e-12));
+  BOOST_TEST(*m.upper == 4.0, tolerance(1e-12));
+  BOOST_TEST(*m.kindest_lower == *m.upper);
+  // At most 3 [2, 4] over 2 [2, 4].
+  m = measured(gate, both(0.01, 0.2)).at(0);
+  BOOST_TEST(*m.lower == 0.0);
+  BOOST_TEST(*m.upper == 2.0, tolerance(1e-12));
+  BOOST_TEST(*m.kindest_lower == 0.0);
+  BOOST_TEST(*m.kindest_upper == 0.5, tolerance(1e-12));
+  // 6 [4, 8] over at most 1 [1, 2].
+  m = measured(gate, both(0.2, 0.01)).at(0);
+  BOOST_TEST(*m.lower == 2.0, tolerance(1e-12));
+  BOOST_TEST(std::isinf(*m.upper));
+  BOOST_TEST(*m.kindest_lower == 8.0, tolerance(1e-12));
+  BOOST_TEST(std::isinf(*m.kindest_upper));
+}
+
 BOOST_AUTO_TEST_CASE(a_subject_is_described_by_what_is_not_default) {
   RunRecord run = seeded(run_at(25, 1.0), 3);
   run.parameters = {{"left", 1.0}, {"final_time", 0.04}};

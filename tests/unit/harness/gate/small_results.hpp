@@ -45,6 +45,13 @@ inline RunRecord timed(RunRecord run, double seconds, std::uint64_t steps = 10) 
   return run;
 }
 
+/// With a median and its interval.
+inline RunRecord timed_within(RunRecord run, double low, double median, double high) {
+  run = timed(run, low);
+  run.cost->median = {median, low, high};
+  return run;
+}
+
 inline Results results_of(std::vector<RunRecord> const& runs) {
   Results results;
   results.study = R"({"name": "by hand"})";

@@ -45,6 +45,20 @@ std::vector<std::string> lines_of(std::string const& text) {
   return lines;
 }
 
+BOOST_AUTO_TEST_CASE(noise_holds_and_says_so_in_every_report) {
+  std::vector<GateVerdict> noise{verdict(Verdict::within_noise, "ratio")};
+  noise[0].failing = 0;
+  noise[0].detail = "too noisy to tell";
+  BOOST_TEST(verdicts_text(noise, false).starts_with("within-noise  ratio  l2 error 0.5 K  <= 1\n"));
+  BOOST_TEST(says(verdicts_text(noise, false), "too noisy to tell"));
+  BOOST_TEST(says(verdicts_text(noise, false), "1 gate: 1 within-noise"));
+  BOOST_TEST(says(verdicts_junit(gates(), noise), "failures=\"0\""));
+  BOOST_TEST(says(verdicts_junit(gates(), noise), "<system-out>"));
+  BOOST_TEST(says(verdicts_junit(gates(), noise), "too noisy to tell"));
+  BOOST_TEST(verdicts_annotations(gates(), noise).starts_with("::notice "));
+  BOOST_TEST(says(verdicts_markdown(gates(), noise), "| within-noise |"));
+}
+
 BOOST_AUTO_TEST_CASE(one_line_per_gate_comes_first_and_the_summary_last) {
   auto const lines = lines_of(verdicts_text(all(), false));
   BOOST_TEST(lines[0].starts_with("passed            first"), lines[0]);

@@ -149,6 +149,55 @@ BOOST_AUTO_TEST_CASE(time_to_an_error_is_interpolated_in_logarithms) {
   BOOST_TEST(!l2[2].seconds.has_value());
 }
 
+RunRecord within(RunRecord run, double low, double median, double high) {
+  run.cost.emplace().seconds = low;
+  run.cost->median = {median, low, high};
+  return run;
+}
+
+TimeToError l2_time(std::vector<RunRecord> const& runs, double relative) {
+  auto const all = build_series(runs);
+  for (TimeToError const& t : all.at(0).time_to_error) {
+    if (t.norm == "l2" && t.relative == relative) return t;
+  }
+  return {};
+}
+
+BOOST_AUTO_TEST_CASE(the_interval_of_a_time_to_an_error_is_interpolated_between_those_of_the_runs) {
+  // 10% is 0.2, a third of the way from 0.4 to 0.05 in logarithms.
+  std::vector<RunRecord> runs{within(run_at(25, 0.4), 0.5, 1.0, 2.0),
+                              within(run_at(50, 0.05), 4.0, 8.0, 54.0)};
+  TimeToError const t = l2_time(runs, 0.1);
+  BOOST_TEST(*t.seconds == 0.5 * std::cbrt(4.0 / 0.5), tolerance(1e-12));
+  BOOST_TEST(*t.median.median == 2.0, tolerance(1e-12));
+  BOOST_TEST(*t.median.low == 1.0, tolerance(1e-12));
+  BOOST_TEST(*t.median.high == 6.0, tolerance(1e-12));
+  BOOST_TEST(!t.is_bound);
+  BOOST_TEST(!l2_time(runs, 0.01).median.median.has_value(), "never reached");
+  runs[0].cost->median.low.reset();
+  BOOST_TEST(*l2_time(runs, 0.1).median.median == 2.0, tolerance(1e-12));
+  BOOST_TEST(!l2_time(runs, 0.1).median.low.has_value(), "one end is not known");
+}
+
+BOOST_AUTO_TEST_CASE(a_bound_has_the_interval_of_its_run) {
+  TimeToError const t =
+      l2_time({within(run_at(25, 0.1), 0.5, 1.0, 2.0), within(run_at(50, 0.05), 4, 8, 16)}, 0.1);
+  BOOST_TEST(t.is_bound);
+  BOOST_TEST(*t.median.median == 1.0);
+  BOOST_TEST(*t.median.low == 0.5);
+  BOOST_TEST(*t.median.high == 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(replicates_of_a_level_have_the_means_of_their_times_and_ends) {
+  auto const all = build_series(
+      {seeded(within(run_at(25, 0.1), 1.0, 2.0, 3.0), 1), seeded(within(run_at(25, 0.1), 3.0, 4.0, 9.0), 2)});
+  SeriesLevel const& level = find(all[0], "l2")->levels[0];
+  BOOST_TEST(*level.seconds == 2.0);
+  BOOST_TEST(*level.median.median == 3.0);
+  BOOST_TEST(*level.median.low == 2.0);
+  BOOST_TEST(*level.median.high == 6.0);
+}
+
 BOOST_AUTO_TEST_CASE(an_error_reached_at_once_takes_the_time_of_the_coarsest_run) {
   auto const all = build_series({run_at(25, 0.1, 3.0), run_at(50, 0.05, 9.0), run_at(100, 0.0, 27.0)});
   for (TimeToError const& t : all[0].time_to_error) {

@@ -32,7 +32,10 @@ std::string reproducible(std::string const& path) {
   for (Json& series : document.at("series")) {
     series.erase("time_to_error");
     for (Json& entry : series.at("orders")) {
-      for (Json& level : entry.at("levels")) level.erase("seconds");
+      for (Json& level : entry.at("levels")) {
+        for (char const* time : {"seconds", "median_seconds", "low_seconds", "high_seconds"})
+          level.erase(time);
+      }
     }
   }
   return document.dump();

@@ -58,7 +58,7 @@ BOOST_AUTO_TEST_CASE(defaults_are_filled_in) {
   BOOST_TEST(study.resolutions == std::vector<int>{25}, per_element());
   BOOST_TEST((study.measure == MeasureSet{Measure::error, Measure::conservation, Measure::cost}));
   BOOST_TEST(study.threads == 1);
-  BOOST_TEST(study.repeat == 1);
+  BOOST_TEST(study.repeat.most == 1);
   BOOST_TEST(study.time_budget > 0.0);
 }
 
@@ -103,8 +103,45 @@ BOOST_AUTO_TEST_CASE(one_value_or_many_are_both_fine) {
   BOOST_TEST(study.smoothing_exponents == (Numbers{0.0, 0.5}), per_element());
   BOOST_TEST((study.measure == MeasureSet{Measure::stability}));
   BOOST_TEST(study.threads == 2);
-  BOOST_TEST(study.repeat == 3);
+  BOOST_TEST(study.repeat.most == 3);
+  BOOST_TEST(study.repeat.least == 3);
+  BOOST_TEST(study.repeat.spread == 0.0, "exactly so often");
   BOOST_TEST(study.time_budget == 12.5);
+}
+
+BOOST_AUTO_TEST_CASE(repeats_go_on_until_there_are_enough) {
+  auto const rule = [](std::string const& text) {
+    Json document = smallest();
+    document["repeat"] = Json::parse(text);
+    Study const study = read(document);
+    BOOST_TEST(to_json(read(to_json(study))).dump() == to_json(study).dump());
+    return study.repeat;
+  };
+  RepeatRule const usual = rule("{}");
+  BOOST_TEST(usual.most == 25);
+  BOOST_TEST(usual.least == 6);
+  BOOST_TEST(usual.spread == 0.02);
+  BOOST_TEST(usual.seconds == 2.0);
+  RepeatRule const own = rule(R"({"most": 40, "least": 10, "spread": 0.05, "seconds": 0.5})");
+  BOOST_TEST(own.most == 40);
+  BOOST_TEST(own.least == 10);
+  BOOST_TEST(own.spread == 0.05);
+  BOOST_TEST(own.seconds == 0.5);
+  BOOST_TEST(rule(R"({"most": 3})").least == 3, "what is not named gives way");
+  BOOST_TEST(rule(R"({"least": 50})").most == 50);
+}
+
+BOOST_AUTO_TEST_CASE(repeats_that_make_no_sense_are_refused) {
+  check_says(refusal("repeat", "[3]"), {"study.json: repeat", "a whole number from 1 to 1000, or an object"});
+  check_says(refusal("repeat", R"("often")"), {"repeat: found 'often'", "or an object"});
+  check_says(refusal("repeat", "1001"), {"repeat: found 1001"});
+  check_says(refusal("repeat", R"({"most": 0})"), {"repeat.most: found 0"});
+  check_says(refusal("repeat", R"({"most": 5, "least": 6})"), {"repeat.least: found 6", "at most 5"});
+  check_says(refusal("repeat", R"({"least": 1.5})"), {"repeat.least: found 1.5"});
+  check_says(refusal("repeat", R"({"spread": 0})"), {"repeat.spread: found 0"});
+  check_says(refusal("repeat", R"({"spread": 2})"), {"repeat.spread: found 2", "at most 1"});
+  check_says(refusal("repeat", R"({"seconds": -1})"), {"repeat.seconds: found -1"});
+  check_says(refusal("repeat", R"({"second": 1})"), {"repeat.second: found an unknown key", "did you mean"});
 }
 
 BOOST_AUTO_TEST_CASE(a_study_written_down_reads_back_as_itself) {

@@ -59,7 +59,11 @@ RunRecord full_run() {
   cost.seconds = 4.1;
   cost.cpu_seconds = 4.2;
   cost.setup_seconds = 0.4;
+  cost.median = {4.3, 4.15, 4.6};
+  cost.busy = 0.97;
   cost.repeats = 3;
+  cost.batch = 64;
+  cost.warm_up = true;
   cost.steps = 44;
   cost.rate_evaluations = 45;
   cost.pair_interactions = 9007199254740993ull;  // more than a double can count
@@ -118,14 +122,15 @@ Results full_results() {
   entry.observed.pairwise = {1.45, std::nullopt};
   entry.observed.verdict = "asymptotic";
   entry.observed.reason = "why";
-  entry.levels = {{25, 0.04, 5, 0.1, 0.01, 2.5}, {50, 0.02, 5, std::nullopt, std::nullopt, std::nullopt}};
+  entry.levels = {{25, 0.04, 5, 0.1, 0.01, 2.5, {2.6, 2.55, 2.7}},
+                  {50, 0.02, 5, std::nullopt, std::nullopt, std::nullopt}};
   OrderEntry without;
   without.field = "flux";
   without.region = "wall";
   without.norm = "l1";
   without.observed.verdict = "not-refined";
   series.orders = {entry, without};
-  series.time_to_error = {{"temperature", "all", "l2", 0.1, 0.2, 3.5},
+  series.time_to_error = {{"temperature", "all", "l2", 0.1, 0.2, 3.5, false, {3.6, 3.55, 3.7}},
                           {"temperature", "all", "l2", 0.01, 0.02, std::nullopt}};
   results.series = {series};
   results.skipped = {{"c", "f", "no sense"}};
@@ -155,6 +160,12 @@ BOOST_AUTO_TEST_CASE(what_a_run_holds_survives_the_document) {
   BOOST_TEST(*read.conservation.at("energy").wall_budget_defect == -0.07);
   BOOST_TEST(!read.conservation.contains("momentum"));
   BOOST_TEST(read.cost->pair_interactions == 9007199254740993ull);
+  BOOST_TEST(*read.cost->median.median == 4.3);
+  BOOST_TEST(*read.cost->median.low == 4.15);
+  BOOST_TEST(*read.cost->median.high == 4.6);
+  BOOST_TEST(*read.cost->busy == 0.97);
+  BOOST_TEST(read.cost->batch == 64);
+  BOOST_TEST(read.cost->warm_up);
   BOOST_TEST(*read.stability->growing_modes == 6u);
   BOOST_TEST(!read.stability->largest_stable_step.has_value());
   BOOST_TEST(*read.stability->largest_imaginary == 5.3);
@@ -188,6 +199,27 @@ BOOST_AUTO_TEST_CASE(results_written_to_a_file_read_back_as_the_same_document) {
   std::string const text = document_text(to_json(full_results()));
   write_document(path, text);
   BOOST_TEST(document_text(to_json(read_results(path))) == text);
+}
+
+BOOST_AUTO_TEST_CASE(times_of_levels_and_to_an_error_survive_the_document) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("results.json");
+  Json document = to_json(full_results());
+  write_document(path, document_text(document));
+  Series const read = read_results(path).series[0];
+  BOOST_TEST(*read.orders[0].levels[0].median.low == 2.55);
+  BOOST_TEST(!read.orders[0].levels[1].median.median.has_value());
+  BOOST_TEST(*read.time_to_error[0].median.median == 3.6);
+  BOOST_TEST(*read.time_to_error[0].median.high == 3.7);
+  // A baseline that was stored before medians were measured stays a baseline.
+  for (char const* key : {"median_seconds", "low_seconds", "high_seconds"}) {
+    document["runs"][0]["cost"].erase(key);
+    document["series"][0]["orders"][0]["levels"][0].erase(key);
+    document["series"][0]["time_to_error"][0].erase(key);
+  }
+  for (char const* key : {"busy", "batch", "warm_up"}) document["runs"][0]["cost"].erase(key);
+  write_document(path, document_text(document));
+  BOOST_TEST(!read_results(path).runs[0].cost->median.median.has_value());
 }
 
 BOOST_AUTO_TEST_CASE(a_document_holds_the_keys_of_the_contract) {

@@ -164,6 +164,64 @@ BOOST_AUTO_TEST_CASE(json_has_one_entry_per_series_with_null_for_what_is_not) {
   BOOST_TEST(failed.at("error").is_null());
 }
 
+/// Timed often, each formulation three times as long as the one before and known to 30%.
+Results timed() {
+  Results results = typical();
+  double factor = 1.0 / 3.0;
+  std::string last;
+  for (RunRecord& run : results.runs) {
+    if (run.label != last) factor *= 3.0;
+    last = run.label;
+    double const seconds = factor * 1e-4 * run.resolution;
+    run.cost->seconds = seconds;
+    run.cost->median = {1.1 * seconds, seconds, 1.3 * seconds};
+    run.cost->busy = 1.0;
+  }
+  results.series = build_series(results.runs);
+  return results;
+}
+
+/// The lines from a title on, up to the next empty one.
+std::string part(std::string const& text, std::string const& title) {
+  std::size_t const start = text.find(title);
+  return start == std::string::npos ? "" : text.substr(start, text.find("\n\n", start) - start);
+}
+
+BOOST_AUTO_TEST_CASE(run_times_are_ratios_with_their_interval_to_one_percent_and_to_a_tenth_of_it) {
+  Results results = timed();
+  // The relative l2 error of brookshaw goes from 5e-4 down; make it start above both targets.
+  for (RunRecord& run : results.runs) {
+    if (run.errors.empty()) continue;
+    double const e =
+        run.label == "conduction/campbell-flux" ? 0.5 : 2e-2 * std::pow(25.0 / run.resolution, 2.5);
+    run.errors["temperature"]["all"] = {{e, e, e}, {1.0, 1.0, 1.0}, 1e-15};
+  }
+  results.series = build_series(results.runs);
+  std::string const text = table_of(results, TableFormat::table);
+  for (char const* title : {"run time to 1% error", "run time to 0.1% error"}) {
+    std::string const table = part(text, title);
+    BOOST_TEST(row(table, "brookshaw ").find("1*") != std::string::npos, table);
+    BOOST_TEST(row(table, "brookshaw (off)").find("3.0 (2.3-3.9)") != std::string::npos, table);
+    BOOST_TEST(row(table, "lucy-flux ").find("9.0 (6.9-12)") != std::string::npos, table);
+  }
+  for (std::string const& line : lines_of(text)) BOOST_TEST(width_of(line) <= 100u, line);
+  BOOST_TEST(text.find("Disturbed") == std::string::npos);
+  results.runs[0].cost->busy = 0.5;
+  BOOST_TEST(table_of(results, TableFormat::table).find("Disturbed timings: 1 of 24") != std::string::npos);
+
+  Json const document = Json::parse(table_of(results, TableFormat::json));
+  Json const& first = document.at("series")[0];
+  TimeToError const& percent = results.series[0].time_to_error[4];  // l2, 1%
+  BOOST_TEST_REQUIRE((percent.norm == "l2" && percent.relative == 0.01));
+  BOOST_TEST(first.at("seconds_to_1_percent") == *percent.seconds);
+  BOOST_TEST(first.at("median_seconds_to_1_percent") == *percent.median.median);
+  BOOST_TEST(first.at("low_seconds_to_1_percent") == *percent.median.low);
+  BOOST_TEST(first.at("high_seconds_to_1_percent") == *percent.median.high);
+  BOOST_TEST(first.at("high_seconds_to_1_permille") == *results.series[0].time_to_error[5].median.high);
+  BOOST_TEST(first.at("median_seconds") == *results.runs[2].cost->median.median);
+  BOOST_TEST(first.at("busy") == 0.5);
+}
+
 BOOST_AUTO_TEST_CASE(two_documents_are_told_apart) {
   CompareOptions const options;
   std::string const text = compare({{"old.json", typical()}, {"new.json", typical()}}, options);

@@ -385,6 +385,127 @@ Json spectra_json(Results const& results, std::size_t share) {
   return list;
 }
 
+Json word_or_null(std::string const& text, Dictionary& word) {
+  return text.empty() ? Json(nullptr) : word(text);
+}
+
+Json numbers(std::vector<double> const& values) {
+  Json list = Json::array();
+  for (double const value : values) list.push_back(number(value));
+  return list;
+}
+
+/// All replicates of a series' finest resolution that has a run for which `holds` is true: of these, those
+/// for which it is.
+std::vector<std::size_t> finest_runs(Results const& results, Series const& series,
+                                     std::function<bool(RunRecord const&)> const& holds) {
+  std::vector<std::size_t> chosen;
+  int finest = -1;
+  for (std::size_t const index : series.runs) {
+    RunRecord const& run = results.runs[index];
+    if (!holds(run) || run.resolution < finest) continue;
+    if (run.resolution > finest) chosen.clear();
+    finest = run.resolution;
+    chosen.push_back(index);
+  }
+  return chosen;
+}
+
+/// [growth, frequency, wavelength, share near walls, centre], in the units of the document.
+Json mode_json(Mode const& mode) {
+  return {number(mode.growth), number(mode.frequency), number(mode.wavelength), number(mode.wall_share),
+          numbers(mode.centre)};
+}
+
+Json stabilities_json(Results const& results, Dictionary& word) {
+  auto const is_told = [](RunRecord const& run) {
+    return run.stability && (run.stability->worst_mode || !run.stability->stable_steps.empty());
+  };
+  auto const is_explained = [](RunRecord const& run) {
+    return run.stability && !run.stability->remark.empty();
+  };
+  Json list = Json::array();
+  for (Series const& one : results.series) {
+    auto chosen = finest_runs(results, one, is_told);
+    if (chosen.empty()) chosen = finest_runs(results, one, is_explained);
+    for (std::size_t const index : chosen) {
+      Stability const& s = *results.runs[index].stability;
+      Json steps = Json::array();
+      for (auto const& [method, step] : s.stable_steps) {
+        steps.push_back(
+            {word(method), number(step.theory), number(step.measured), word_or_null(step.remark, word)});
+      }
+      list.push_back({{"run", index},
+                      {"growing", s.growing_modes ? Json(*s.growing_modes) : Json(nullptr)},
+                      {"unseen", s.unseen_modes ? Json(*s.unseen_modes) : Json(nullptr)},
+                      {"method", word_or_null(s.method, word)},
+                      {"remark", word_or_null(s.remark, word)},
+                      {"worst", s.worst_mode ? mode_json(*s.worst_mode) : Json(nullptr)},
+                      {"steps", std::move(steps)}});
+    }
+  }
+  return list;
+}
+
+double abscissa(RunRecord const& run) { return run.stability->spectral_abscissa.value_or(-INFINITY); }
+
+/// Small perturbations of a gas about rest: of each conjugate pair one mode. Modes in which no particle moves
+/// have no wavelength and are only counted.
+Json perturbations_json(Results const& results, std::size_t share) {
+  auto const chosen = one_per_series(
+      results, [](RunRecord const& run) { return run.stability && !run.stability->modes.empty(); }, abscissa);
+  std::size_t const points = points_each(most_spectrum_numbers / share, 3 * chosen.size());
+  Json list = Json::array();
+  for (auto const& [series, index] : chosen) {
+    Stability const& s = *results.runs[index].stability;
+    std::vector<Mode const*> modes;
+    for (Mode const& mode : s.modes) {
+      if (mode.frequency >= 0.0 && !mode.centre.empty()) modes.push_back(&mode);
+    }
+    auto const still =
+        std::count_if(s.modes.begin(), s.modes.end(), [](Mode const& mode) { return mode.centre.empty(); });
+    // Sorted by growth, so that thinning keeps the one that grows most.
+    std::stable_sort(modes.begin(), modes.end(),
+                     [](Mode const* a, Mode const* b) { return a->growth > b->growth; });
+    Json json = {{"series", series},
+                 {"run", index},
+                 {"modes", s.modes.size()},
+                 {"still", still},
+                 {"wavelength", Json::array()},
+                 {"growth", Json::array()},
+                 {"frequency", Json::array()}};
+    for (std::size_t const k : spread_evenly(modes.size(), points)) {
+      json["wavelength"].push_back(number(modes[k]->wavelength));
+      json["growth"].push_back(number(modes[k]->growth));
+      json["frequency"].push_back(number(modes[k]->frequency));
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+/// [size, time, place]
+Json breach_json(Breach const& breach) {
+  return {number(breach.size), number(breach.time), numbers(breach.position)};
+}
+
+Json second_laws_json(Results const& results, Dictionary& word) {
+  Json list = Json::array();
+  for (Series const& one : results.series) {
+    for (std::size_t const index :
+         finest_runs(results, one, [](RunRecord const& run) { return run.second_law.has_value(); })) {
+      SecondLaw const& s = *results.runs[index].second_law;
+      list.push_back({{"run", index},
+                      {"overshoot", breach_json(s.overshoot)},
+                      {"undershoot", breach_json(s.undershoot)},
+                      {"cold_to_hot", breach_json(s.cold_to_hot)},
+                      {"entropy", number(s.smallest_entropy_production)},
+                      {"remark", word_or_null(s.remark, word)}});
+    }
+  }
+  return list;
+}
+
 Json envelopes_json(Results const& results, Dictionary& word) {
   Json list = Json::array();
   for (Envelope const& e : results.envelopes) {
@@ -436,6 +557,9 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                {"profiles", profiles_json(results, share)},
                {"histories", histories_json(results, share)},
                {"spectra", spectra_json(results, share)},
+               {"stabilities", stabilities_json(results, word)},
+               {"perturbations", perturbations_json(results, share)},
+               {"second_laws", second_laws_json(results, word)},
                {"envelopes", envelopes_json(results, word)},
                {"skipped", skipped_json(results)}};
   json["words"] = word.words();

@@ -12,14 +12,23 @@ function readDocument(raw, number) {
     id: `document-${number + 1}`,
     series,
     runs: readRuns(raw.runs, series, word),
+    stabilities: raw.stabilities.map((entry) => readStability(entry, word)),
+    secondLaws: raw.second_laws.map((entry) => readSecondLaw(entry, word)),
     envelopes: raw.envelopes.map((entry) => readEnvelope(entry, word)),
   };
   doc.cases = casesOf(doc);
   nameFormulations([...series, ...doc.envelopes]);
-  for (const list of [doc.profiles, doc.histories, doc.spectra]) {
+  for (const list of [
+    doc.profiles,
+    doc.histories,
+    doc.spectra,
+    doc.stabilities,
+    doc.perturbations,
+    doc.secondLaws,
+  ]) {
     for (const entry of list) {
       entry.run = doc.runs[entry.run];
-      entry.series = series[entry.series];
+      entry.series = entry.run.series;
     }
   }
   return doc;
@@ -74,6 +83,40 @@ function readRuns({ columns, rows }, series, word) {
     run.series = run.series === null ? null : series[run.series];
     return run;
   });
+}
+
+function readStability(raw, word) {
+  const readMode = ([growth, frequency, wavelength, wallShare, centre]) => ({
+    growth,
+    frequency,
+    wavelength,
+    wallShare,
+    centre,
+  });
+  return {
+    ...raw,
+    method: word(raw.method),
+    remark: word(raw.remark),
+    worst: raw.worst && readMode(raw.worst),
+    steps: raw.steps.map(([method, theory, measured, remark]) => ({
+      method: word(method),
+      theory,
+      measured,
+      remark: word(remark),
+    })),
+  };
+}
+
+function readSecondLaw(raw, word) {
+  const readBreach = ([size, time, position]) => ({ size, time, position });
+  return {
+    run: raw.run,
+    overshoot: readBreach(raw.overshoot),
+    undershoot: readBreach(raw.undershoot),
+    coldToHot: readBreach(raw.cold_to_hot),
+    entropy: raw.entropy,
+    remark: word(raw.remark),
+  };
 }
 
 function readEnvelope(raw, word) {

@@ -140,8 +140,6 @@ function verdictSentences(one, ranks) {
 
 function verdictOf(doc, one) {
   const ranks = rankFormulations(one);
-  const list = element("ul", { class: "sentences" });
-  for (const [kind, text] of verdictSentences(one, ranks)) list.append(element("li", { class: kind }, text));
   const { field, norm, finest } = one.series.find((s) => s.row.field !== "")?.row ?? one.series[0].row;
   const caption =
     field === ""
@@ -153,7 +151,7 @@ function verdictOf(doc, one) {
     { class: "verdict" },
     element("h4", {}, one.name),
     element("p", { class: "parameters" }, one.parameters),
-    list,
+    sentenceList(verdictSentences(one, ranks)),
     rankTable(one, ranks, caption),
   );
 }

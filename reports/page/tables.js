@@ -135,6 +135,20 @@ function numberColumn(label, value, text = formatNumber) {
   return { label, value, text: (row) => text(value(row)) };
 }
 
+// What tells the runs of one case apart, for rows that hold their name, series and run.
+function runColumns(series) {
+  return [
+    { label: "formulation", value: (row) => row.name },
+    ...settingColumns(series, (row) => row.series),
+    numberColumn("N", (row) => row.run.resolution, String),
+    numberColumn(
+      "seed",
+      (row) => row.run.seed,
+      (seed) => (seed === null ? "–" : String(seed)),
+    ),
+  ];
+}
+
 function ladderTable(view) {
   const rows = view.tableSeries;
   const entry = (s) =>

@@ -2,6 +2,7 @@
 
 import base64
 import json
+import math
 import pathlib
 import sys
 import tempfile
@@ -73,6 +74,23 @@ RATES = {
     "resolution": [20, 40],
 }
 
+# Operators that grow and that do not, of heat and of a gas; two levels, replicates.
+STABLE = {
+    "schema": "sphverify-study/1",
+    "name": "stable",
+    "cases": [
+        "conduction/slab-dirichlet",
+        {"id": "hydro/uniform", "parameters": {"boundary": "periodic", "final_time": 0.02}},
+    ],
+    "formulations": ["conduction/brookshaw", "conduction/campbell-flux", "momentum/p-rho2"],
+    "discretisation": {
+        "smoothing_ratio": 1.0,
+        "layout": ["lattice", {"id": "jittered", "amplitude": 0.3, "seeds": [1, 2, 3]}],
+    },
+    "resolution": [12, 24],
+    "measure": ["error", "stability", "stable-step", "second-law", "spectrum"],
+}
+
 
 def envelopes_of(document):
     """One envelope in the form of the results, which this study does not measure itself."""
@@ -89,6 +107,19 @@ def envelopes_of(document):
 
 def entry_of(series, field="temperature", region="all", norm="l2"):
     return next(o for o in series["orders"] if (o["field"], o["region"], o["norm"]) == (field, region, norm))
+
+
+def seed_of(run):
+    layout = run["discretisation"]["layout"]
+    return str(layout["seed"]) if isinstance(layout, dict) else "–"
+
+
+def seconds_text(value):
+    """As the page writes it: three digits and a unit."""
+    if value is None:
+        return "–"
+    scale, unit = (1, "s") if value >= 1 else (1e3, "ms") if value >= 1e-3 else (1e6, "µs")
+    return f"{float(format(value * scale, '.3g')):g} {unit}"
 
 
 class PageTest(program.ProgramTest):
@@ -111,6 +142,8 @@ class PageTest(program.ProgramTest):
         maker.succeed("report", cls.place / "odd.json", "-o", cls.place / "odd.html")
         maker.study(RATES, "rates.json")
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
+        cls.stable = maker.study(STABLE, "stable.json")
+        maker.succeed("report", cls.place / "stable.json", "-o", cls.place / "stable.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
 
@@ -273,6 +306,175 @@ class PageTest(program.ProgramTest):
             },
         )
         self.assert_silent()
+
+    def stable_runs(self, case):
+        """Of the finest resolution, in the order of the page."""
+        runs = [self.stable["runs"][run] for series in self.stable["series"] for run in series["runs"]]
+        return [run for run in runs if run["case"] == case and run["resolution"] == 24]
+
+    def marks(self, section, description, tag, attribute):
+        """A number of every mark of a section's plots, by description, as drawn."""
+        nodes = self.all(f"section.{section} figure svg g[aria-description='{description}'] {tag}")
+        return [float(node.get_attribute(attribute)) for node in nodes]
+
+    def places(self, section, description):
+        """Where the centres of a section's symbols are, of all its plots; crosses and circles alike."""
+        text = "return [...document.querySelectorAll(arguments[0])].map(e => { const m = e.transform.baseVal;"
+        text += "return m.length ? [m[0].matrix.e, m[0].matrix.f] : [e.cx.baseVal.value, e.cy.baseVal.value] })"
+        marks = f"section.{section} figure svg g[aria-description='{description}'] :is(circle, path)"
+        return self.script(text, marks)
+
+    def assert_drawn_at(self, values, pixels):
+        """That these values, on a linear axis, lie at these pixels."""
+        values, pixels = sorted(values), sorted(pixels)
+        self.assertEqual(len(values), len(pixels))
+        self.assertGreater(values[-1], values[0])
+        scale = (pixels[-1] - pixels[0]) / (values[-1] - values[0])
+        for value, pixel in zip(values, pixels):
+            self.assertAlmostEqual(pixels[0] + scale * (value - values[0]), pixel, delta=0.5)
+
+    def test_draws_stable_steps_by_theory_and_by_experiment(self):
+        self.open("stable.html")
+        runs = self.stable_runs("conduction/slab-dirichlet")
+        steps = [(method, step) for run in runs for method, step in run["stability"]["stable_steps"].items()]
+        theory = [step["theory"] for _, step in steps if step["theory"] is not None]
+        measured = [step["measured"] for _, step in steps if step["measured"] is not None]
+        none = [step for _, step in steps if step["remark"].startswith("no step is stable")]
+        self.assertGreater(len(measured), 8)
+        self.assertGreater(len(none), 0)
+        self.assertEqual(len(self.all("section.steps figure")), 2)
+        self.assert_drawn_at([math.log(dt) for dt in theory], self.marks("steps", "by theory", "line", "x1"))
+        tried = [x for x, _ in self.places("steps", "by experiment")]
+        self.assert_drawn_at([math.log(dt) for dt in measured], tried)
+        self.assertEqual(self.count("steps", "g[aria-description='no step is stable'] path"), len(none))
+
+        table = "Largest stable steps"
+        self.assertEqual(self.cells(table, "method"), [method for method, _ in steps])
+        self.assertEqual(self.cells(table, "seed"), [seed_of(run) for run in runs for _ in range(4)])
+        for column, key in [("by theory", "theory"), ("by experiment", "measured")]:
+            self.assertEqual(self.cells(table, column), [seconds_text(step[key]) for _, step in steps])
+        words = []
+        for run in runs:
+            for step in run["stability"]["stable_steps"].values():
+                tried = step["theory"] is not None and step["measured"] is not None
+                near = tried and abs(step["measured"] / step["theory"] - 1) <= 0.01
+                grows = ", but a mode grows" if run["stability"]["growing_modes"] else ""
+                words.append((("agree" if near else "differ") + grows) if tried else "")
+        self.assertEqual(self.cells(table, "agreement"), words)
+        sentence = next(line for line in self.lines("steps") if line.startswith("brookshaw: "))
+        self.assertIn("agree within 1% on 16 of 16 steps", sentence)
+        self.choose("case", "hydro/uniform")
+        self.assertEqual(set(self.cells(table, "method")), {"leapfrog"})
+        self.assert_silent()
+
+    def lines(self, section):
+        return [line.text for line in self.all(f"section.{section} .sentences li")]
+
+    def test_draws_the_worst_modes(self):
+        self.open("stable.html")
+        runs = self.stable_runs("conduction/slab-dirichlet")
+        stabilities = [run["stability"] for run in runs]
+        growing = [s for s in stabilities if s["growing_modes"] > 0]
+        self.assertTrue(0 < len(growing) < len(stabilities))
+        for kind, chosen in [
+            ("growing mode", growing),
+            ("worst mode", [s for s in stabilities if s not in growing]),
+        ]:
+            places = self.places("modes", kind)
+            modes = [s["worst_mode"] for s in chosen]
+            self.assert_drawn_at([math.log(mode["wavelength"]) for mode in modes], [x for x, _ in places])
+            self.assert_drawn_at([-mode["wall_share"] for mode in modes], [y for _, y in places])
+        self.assertEqual(
+            self.cells("Worst modes", "growing modes"), [str(s["growing_modes"] or 0) for s in stabilities]
+        )
+        for column, key in [("growth [1/s]", "growth"), ("wavelength [dx]", "wavelength")]:
+            for cell, s in zip(self.cells("Worst modes", column), stabilities, strict=True):
+                self.assertAlmostEqual(float(cell) / s["worst_mode"][key], 1.0, delta=0.006)
+        for cell, s in zip(self.cells("Worst modes", "centre [m]"), stabilities, strict=True):
+            self.assertAlmostEqual(float(cell), s["worst_mode"]["centre"][0], delta=0.002)
+        unseen = [str(s["unseen_modes"]) for s in stabilities]
+        self.assertEqual(self.cells("Worst modes", "unseen modes"), unseen)
+        self.assertIn("brookshaw: no mode grows in 4 runs.", self.lines("modes"))
+        fastest = max(s["worst_mode"]["growth"] for s in growing)
+        sentence = next(line for line in self.lines("modes") if line.startswith("campbell-flux: "))
+        self.assertIn(f"modes grow in {len(growing)} of 4 runs, fastest at {fastest:.3g}/s", sentence)
+
+    def test_draws_perturbations_of_a_gas_about_rest(self):
+        self.open("stable.html")
+        self.assertEqual(self.all("section.perturbations"), [])
+        self.choose("case", "hydro/uniform")
+        runs = self.stable_runs("hydro/uniform")
+        lattice = next(run for run in runs if run["discretisation"]["layout"] == "lattice")
+        disordered = [run for run in runs if run is not lattice]
+        worst = max(disordered, key=lambda run: run["stability"]["spectral_abscissa"])
+        self.assertGreater(worst["stability"]["growing_modes"], 0)
+        drawn = {"mode": [], "growing mode": []}
+        for run in [lattice, worst]:
+            radius = run["stability"]["spectral_radius"]
+            for mode in run["stability"]["modes"]:
+                if mode["frequency"] >= 0 and mode["centre"]:
+                    drawn["growing mode" if mode["growth"] > 1e-4 * radius else "mode"].append(mode)
+        for quantity in ["growth", "frequency"]:
+            self.choose("Quantity", f"{quantity} [1/s]")
+            for kind, modes in drawn.items():
+                places = self.places("perturbations", kind)
+                waves = [2 * math.pi / m["wavelength"] if m["wavelength"] else 0.0 for m in modes]
+                self.assert_drawn_at(waves, [x for x, _ in places])
+                self.assertEqual(len(places), len(modes))
+        growths = [mode["growth"] for mode in drawn["growing mode"]]
+        self.choose("Quantity", "growth [1/s]")
+        self.assert_drawn_at([-g for g in growths], [y for _, y in self.places("perturbations", "growing mode")])
+        captions = [node.text for node in self.all("section.perturbations figcaption")]
+        self.assertIn("nothing grows", captions[0])
+        self.assertIn(f"grows at up to {max(growths):.3g}/s", captions[1])
+        self.assert_silent()
+
+    def test_draws_where_the_second_law_broke(self):
+        self.open("stable.html")
+        laws = [run["second_law"] for run in self.stable_runs("conduction/slab-dirichlet")]
+        kinds = {
+            "heat from cold to hot": "cold_to_hot",
+            "hotter than ever before": "overshoot",
+            "colder than ever before": "undershoot",
+        }
+        self.assertEqual([law["remark"] for law in laws], [""] * len(laws))
+        self.assertEqual(self.count("second-law", "g[aria-description=breach] :is(circle, path)"), 4 * len(laws))
+        for column, key in kinds.items():
+            self.assertTrue(any(law[key]["size"] > 0 for law in laws), key)
+            for cell, law in zip(self.cells("Second law", column), laws, strict=True):
+                size = 100 * law[key]["size"]
+                self.assertAlmostEqual(float(cell.split("%")[0]), size, delta=0.06 * size)
+                if size > 0:
+                    time = float(cell.split("t = ")[1].split(",")[0])
+                    self.assertAlmostEqual(time, law[key]["time"], delta=0.006 * time)
+                    place = float(cell.split("x = ")[1])
+                    self.assertAlmostEqual(place, law[key]["position"][0], delta=0.002)
+        # Linear up to 1%, logarithmic beyond.
+        sizes = [law[key]["size"] for law in laws for key in kinds.values()]
+        sizes += [max(0.0, -law["smallest_entropy_production"]) for law in laws]
+        drawn = [x for x, _ in self.places("second-law", "breach")]
+        self.assert_drawn_at([math.log1p(size / 0.01) for size in sizes], drawn)
+        falls = sum(law["smallest_entropy_production"] < 0 for law in laws)
+        broken = self.cells("Second law", "broken")
+        self.assertEqual(sum("entropy falls" in text for text in broken), falls)
+        self.assertGreater(falls, 0)
+        sentences = self.lines("second-law")
+        self.assertIn("brookshaw: kept in 4 runs, as far as was watched.", sentences)
+        sentence = next(line for line in sentences if line.startswith("campbell-flux: broken in "))
+        self.assertIn(f"entropy falls in {falls}", sentence)
+
+    def test_sections_without_data_are_left_out(self):
+        self.open("rates.html")
+        for section in ["modes", "perturbations", "steps", "second-law", "spectrum", "envelope"]:
+            self.assertEqual(self.all(f"section.{section}"), [], section)
+        # Stability without the measure stable-step: theory alone.
+        self.open("heat.html")
+        self.assertEqual(self.all("section.second-law"), [])
+        heads = "div[aria-label='Largest stable steps'] thead th"
+        columns = [head.get_attribute("textContent") for head in self.all(heads)]
+        self.assertIn("by theory", columns)
+        self.assertNotIn("by experiment", columns)
+        self.assertNotIn("agreement", columns)
 
     def test_failures_are_listed_with_their_reasons(self):
         self.open("heat.html")

@@ -172,9 +172,9 @@ function bandsOf(kinds, names) {
   const lines = names.length + 1;
   const place = (kind, name) => kinds.indexOf(kind) * lines + names.indexOf(name);
   const end = kinds.length * lines;
-  const longest = d3.max(
-    kinds.flatMap((kind) => kind.split(/[ -]/)),
-    (part) => part.length,
+  // Labels of several words take two lines.
+  const longest = d3.max(kinds, (kind) =>
+    Math.max(kind.length / 2 + 2, ...kind.split(/[ -]/).map((word) => word.length)),
   );
   return {
     place,
@@ -186,7 +186,7 @@ function bandsOf(kinds, names) {
     marks: [
       Plot.axisY(
         kinds.map((_, k) => k * lines + 0.5 * (names.length - 1)),
-        { tickFormat: (_, k) => kinds[k], tickSize: 0, lineWidth: 0.55 * longest, label: null },
+        { tickFormat: (_, k) => kinds[k], tickSize: 0, lineWidth: 0.6 * longest, label: null },
       ),
       Plot.ruleY(
         kinds.slice(1).map((_, k) => (k + 1) * lines - 1),

@@ -13,6 +13,7 @@ function stepRows(view, series) {
         const difference = isTried ? step.measured / step.theory - 1 : null;
         return {
           ...step,
+          remark: step.remark ?? entry.remark,
           name: entry.series.name,
           series: entry.series,
           run: entry.run,
@@ -47,11 +48,13 @@ function stepSection(view) {
     if (tried.length) {
       parts.push(
         `theory and experiment agree within ${formatPercent(stepAgreement)} on ${agreeing.length} of ` +
-          `${plural(tried.length, "step")}, at most ${formatDifference(widest.difference)} apart`,
+          `${plural(tried.length, "step")}, at most ${formatPercent(Math.abs(widest.difference))} apart`,
       );
     }
+    const growing = tried.filter((row) => row.growing > 0).length;
+    if (growing) parts.push(`a mode grows on ${growing} of them all the same`);
     if (without) parts.push(`no step is stable on ${without} of ${own.length}`);
-    const isGood = agreeing.length === tried.length && without === 0;
+    const isGood = agreeing.length === tried.length && growing + without === 0;
     return parts.length ? [isGood ? "good" : "care", `${name}: ${parts.join("; ")}.`] : null;
   });
   return section(
@@ -139,7 +142,7 @@ function stepTable(view, rows) {
       { label: "method", value: (row) => row.method },
       numberColumn("by theory", (row) => row.theory, formatSeconds),
       numberColumn("by experiment", (row) => row.measured, formatSeconds),
-      numberColumn("experiment − theory", (row) => row.difference, formatDifference),
+      numberColumn("difference", (row) => row.difference, formatDifference),
       { label: "agreement", value: agreementText },
       numberColumn("growing modes", (row) => row.growing),
       { label: "remark", value: (row) => row.remark },

@@ -119,12 +119,37 @@ double scale_of(Series const& series, std::vector<RunRecord> const& runs, OrderE
   return scale;
 }
 
+/// [seconds, low, high]: the median and the interval of it where repeats give one, else the shortest.
+Json time_json(Number const& shortest, MedianSeconds const& m) {
+  if (!m.median) return {number(shortest), nullptr, nullptr};
+  return {number(m.median), number(m.low), number(m.high)};
+}
+
+/// Mean of a time of all runs; empty for none, or if one of them has no such time.
+template <class TimeOf>
+Number mean_time(std::vector<Cost const*> const& costs, TimeOf const& time_of) {
+  double sum = 0.0;
+  for (Cost const* cost : costs) {
+    Number const time = time_of(*cost);
+    if (!time) return std::nullopt;
+    sum += *time;
+  }
+  return costs.empty() ? Number() : Number(sum / static_cast<double>(costs.size()));
+}
+
+Json mean_time_json(std::vector<Cost const*> const& costs) {
+  return time_json(mean_time(costs, [](Cost const& c) { return Number(c.seconds); }),
+                   {mean_time(costs, [](Cost const& c) { return c.median.median; }),
+                    mean_time(costs, [](Cost const& c) { return c.median.low; }),
+                    mean_time(costs, [](Cost const& c) { return c.median.high; })});
+}
+
 Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dictionary& word) {
   struct Level {
     double spacing = NAN;
-    int replicates = 0, failed = 0, timed = 0;
+    int replicates = 0, failed = 0;
     std::string status;
-    double seconds = 0.0;
+    std::vector<Cost const*> timed;
   };
   std::map<int, Level> levels;
   for (std::size_t const index : series.runs) {
@@ -136,15 +161,13 @@ Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
       ++level.failed;
       level.status = run.status;
     } else if (run.cost) {
-      level.seconds += run.cost->seconds;
-      ++level.timed;
+      level.timed.push_back(&*run.cost);
     }
   }
   Json list = Json::array();
   for (auto const& [resolution, level] : levels) {
     list.push_back({resolution, number(level.spacing), level.replicates, level.failed,
-                    level.failed > 0 ? word(level.status) : Json(nullptr),
-                    level.timed > 0 ? number(level.seconds / level.timed) : Json(nullptr)});
+                    level.failed > 0 ? word(level.status) : Json(nullptr), mean_time_json(level.timed)});
   }
   return list;
 }
@@ -183,6 +206,10 @@ Json orders_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
   return list;
 }
 
+Json target_json(TimeToTarget const& target) {
+  return {{"time", time_json(target.seconds, target.median)}, {"is_bound", target.is_bound}};
+}
+
 Json row_json(SeriesRow const& row) {
   return {{"field", row.field},
           {"norm", row.norm},
@@ -193,9 +220,9 @@ Json row_json(SeriesRow const& row) {
           {"relative_error", number(row.relative_error)},
           {"order", number(row.order)},
           {"half_width", number(row.half_width)},
-          {"seconds", number(row.seconds)},
-          {"seconds_to_percent", number(row.to_percent.seconds)},
-          {"percent_is_bound", row.to_percent.is_bound},
+          {"time", time_json(row.seconds, row.median)},
+          {"to_percent", target_json(row.to_percent)},
+          {"to_permille", target_json(row.to_permille)},
           {"wall_flux_error", number(row.wall_flux_error)},
           {"energy_drift", number(row.energy_drift)},
           {"wall_budget_defect", number(row.wall_budget_defect)},
@@ -243,8 +270,8 @@ Json runs_json(Results const& results, std::vector<std::size_t> const& series_of
         {series_of[i] < results.series.size() ? Json(series_of[i]) : Json(nullptr), run.resolution,
          run.particles, has_seed ? Json(run.discretisation.layout.seed) : Json(nullptr), word(run.status),
          run.reason.empty() ? Json(nullptr) : word(run.reason), number(run.smoothing_length),
-         cost ? number(cost->seconds) : Json(nullptr), cost ? Json(cost->steps) : Json(nullptr),
-         cost ? Json(cost->rate_evaluations) : Json(nullptr),
+         cost ? time_json(cost->seconds, cost->median) : Json(nullptr),
+         cost ? Json(cost->steps) : Json(nullptr), cost ? Json(cost->rate_evaluations) : Json(nullptr),
          cost ? Json(cost->pair_interactions) : Json(nullptr), cost ? Json(cost->peak_bytes) : Json(nullptr),
          number(drift), number(defect), number(flux_error),
          run.integration ? number(run.integration->time_error_share) : Json(nullptr),
@@ -253,7 +280,7 @@ Json runs_json(Results const& results, std::vector<std::size_t> const& series_of
          stability ? number(stability->largest_stable_step) : Json(nullptr)});
   }
   return {{"columns",
-           {"series", "resolution", "particles", "seed", "status", "reason", "smoothing_length", "seconds",
+           {"series", "resolution", "particles", "seed", "status", "reason", "smoothing_length", "time",
             "steps", "rate_evaluations", "pair_interactions", "peak_bytes", "energy_drift",
             "wall_budget_defect", "wall_flux_error", "time_error_share", "spectral_abscissa",
             "spectral_radius", "largest_stable_step"}},

@@ -39,14 +39,15 @@ function readSettings(raw, word) {
 }
 
 function readSeries(raw, index, word) {
-  const levels = raw.levels.map(([resolution, spacing, replicates, failed, status, seconds]) => ({
+  const levels = raw.levels.map(([resolution, spacing, replicates, failed, status, time]) => ({
     resolution,
     spacing,
     replicates,
     failed,
     status: word(status),
-    seconds,
+    time: readTime(time),
   }));
+  const { time, to_percent, to_permille, ...row } = raw.row;
   const orders = raw.orders.map((row) => ({
     field: word(row[0]),
     region: word(row[1]),
@@ -63,6 +64,12 @@ function readSeries(raw, index, word) {
   return {
     ...raw,
     index,
+    row: {
+      ...row,
+      time: readTime(time),
+      toPercent: readTarget(to_percent),
+      toPermille: readTarget(to_permille),
+    },
     levels,
     orders,
     case: word(raw.case),
@@ -75,11 +82,21 @@ function readSeries(raw, index, word) {
   };
 }
 
+// Run time with the 95% interval of its median, where repeats give one.
+function readTime([seconds, low, high]) {
+  return { seconds, low, high };
+}
+
+function readTarget({ time, is_bound }) {
+  return { ...readTime(time), isBound: is_bound };
+}
+
 function readRuns({ columns, rows }, series, word) {
   return rows.map((row) => {
     const run = Object.fromEntries(columns.map((column, k) => [column, row[k]]));
     run.status = word(run.status);
     run.reason = word(run.reason);
+    run.time = readTime(run.time ?? [null, null, null]);
     run.series = run.series === null ? null : series[run.series];
     return run;
   });

@@ -41,7 +41,8 @@ function secondLawSection(view) {
     if (watched.length === 0) return ["", `${name}: not watched, ${own[0].remark}.`];
     const broken = watched.filter((row) => row.broken.length);
     if (broken.length === 0) {
-      return ["good", `${name}: kept in ${plural(watched.length, "run")}, as far as was watched.`];
+      const partly = watched.some((row) => row.remark) ? ", as far as was watched" : "";
+      return ["good", `${name}: kept in ${plural(watched.length, "run")}${partly}.`];
     }
     const kinds = lawKinds
       .map(({ key, label }) => [label, broken.filter((row) => row[key].size > 0).length])
@@ -75,7 +76,13 @@ function lawPanels(view, all) {
     .filter((size) => size !== null);
   if (sizes.length === 0) return null;
   const top = Math.max(1, d3.max(sizes));
-  const ticks = [0, 0.01, 0.1, 1, ...d3.range(2, Math.log10(top) + 1e-9, 2).map((k) => 10 ** k)];
+  const ticks = [
+    0,
+    0.01,
+    0.1,
+    1,
+    ...d3.range(1, Math.log10(top) + 1e-9, top > 100 ? 2 : 1).map((k) => 10 ** k),
+  ];
   const rowsOf = (series) => all.filter((row) => series.includes(row.series));
   return panelGrid(
     bySetting(view).filter(({ series }) => rowsOf(series).length),

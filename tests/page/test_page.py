@@ -1,6 +1,7 @@
 """Opens the page of `sphverify report` in headless Chromium: what it draws, and whether one can use it."""
 
 import base64
+import copy
 import json
 import math
 import pathlib
@@ -99,6 +100,15 @@ RESTING = {
     "resolution": [12, 24],
     "measure": ["error", "stability", "stable-step", "spectrum"],
 }
+TIMED = {
+    "schema": "sphverify-study/1",
+    "name": "timed",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": ["conduction/brookshaw", "conduction/lucy-flux"],
+    "resolution": [10, 20, 40],
+    "measure": ["error", "cost"],
+    "repeat": {"most": 8, "least": 6, "spread": 0.1, "seconds": 2},
+}
 
 
 def envelopes_of(document):
@@ -116,6 +126,17 @@ def envelopes_of(document):
 
 def entry_of(series, field="temperature", region="all", norm="l2"):
     return next(o for o in series["orders"] if (o["field"], o["region"], o["norm"]) == (field, region, norm))
+
+
+def set_times(document, times):
+    """Puts [median, low, high] of each formulation in the place of its times to an error."""
+    for series in document["series"]:
+        for target in series["time_to_error"]:
+            given = times.get((series["formulation"], target["relative"]))
+            median, low, high = given or (None, None, None)
+            target |= {"seconds": median, "median_seconds": median, "low_seconds": low, "high_seconds": high}
+            target["is_bound"] = False
+    return document
 
 
 def seed_of(run):
@@ -155,6 +176,13 @@ class PageTest(program.ProgramTest):
         maker.succeed("report", cls.place / "stable.json", "-o", cls.place / "stable.html")
         cls.resting = maker.study(RESTING, "resting.json")
         maker.succeed("report", cls.place / "resting.json", "-o", cls.place / "resting.html")
+        cls.timed = maker.study(TIMED, "timed.json")
+        maker.succeed("report", cls.place / "timed.json", "-o", cls.place / "timed.html")
+        brookshaw, lucy = TIMED["formulations"]
+        given = {(brookshaw, 0.01): (0.010, 0.009, 0.011), (lucy, 0.01): (0.0105, 0.0099, 0.012)}
+        given |= {(brookshaw, 0.001): (0.1, 0.09, 0.11), (lucy, 0.001): (0.3, 0.297, 0.306)}
+        maker.write("given.json", set_times(copy.deepcopy(cls.timed), given))
+        maker.succeed("report", cls.place / "given.json", "-o", cls.place / "given.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
 
@@ -289,7 +317,7 @@ class PageTest(program.ProgramTest):
                 if any(run["status"] != "ok" for run in finest) or entry_of(series)["verdict"] == "diverging":
                     continue
                 name = series["label"].split("/")[1]
-                best[name] = min(best.get(name, float("inf")), target["seconds"])
+                best[name] = min(best.get(name, float("inf")), target["median_seconds"])
         heads = self.all("article.verdict:first-of-type tbody th")
         ranked = [head.get_attribute("textContent") for head in heads]
         self.assertEqual(ranked[: len(best)], sorted(best, key=best.get))
@@ -435,7 +463,8 @@ class PageTest(program.ProgramTest):
                 self.assertEqual(len(places), len(modes))
         growths = [mode["growth"] for mode in drawn["growing mode"]]
         self.choose("Quantity", "growth [1/s]")
-        self.assert_drawn_at([-g for g in growths], [y for _, y in self.places("perturbations", "growing mode")])
+        heights = [y for _, y in self.places("perturbations", "growing mode")]
+        self.assert_drawn_at([-growth for growth in growths], heights)
         captions = [node.text for node in self.all("section.perturbations figcaption")]
         self.assertIn("nothing grows", captions[0])
         self.assertIn(f"grows at up to {max(growths):.3g}/s", captions[1])
@@ -450,7 +479,8 @@ class PageTest(program.ProgramTest):
             "colder than ever before": "undershoot",
         }
         self.assertEqual([law["remark"] for law in laws], [""] * len(laws))
-        self.assertEqual(self.count("second-law", "g[aria-description=breach] :is(circle, path)"), 4 * len(laws))
+        dots = self.count("second-law", "g[aria-description=breach] :is(circle, path)")
+        self.assertEqual(dots, 4 * len(laws))
         for column, key in kinds.items():
             self.assertTrue(any(law[key]["size"] > 0 for law in laws), key)
             for cell, law in zip(self.cells("Second law", column), laws, strict=True):
@@ -471,9 +501,54 @@ class PageTest(program.ProgramTest):
         self.assertEqual(sum("entropy falls" in text for text in broken), falls)
         self.assertGreater(falls, 0)
         sentences = self.lines("second-law")
-        self.assertIn("brookshaw: kept in 3 runs, as far as was watched.", sentences)
+        self.assertIn("brookshaw: kept in 3 runs.", sentences)
         sentence = next(line for line in sentences if line.startswith("campbell-flux: broken in "))
         self.assertIn(f"entropy falls in {falls}", sentence)
+
+    def test_draws_the_interval_of_run_times(self):
+        self.open("timed.html")
+        levels = [level for s in self.timed["series"] for level in entry_of(s)["levels"]]
+        self.assertTrue(all(level["low_seconds"] is not None for level in levels))
+        ends = [math.log(level[key]) for level in levels for key in ["low_seconds", "high_seconds"]]
+        bars = "interval of the run time"
+        drawn = self.marks("cost", bars, "line", "x1") + self.marks("cost", bars, "line", "x2")
+        self.assert_drawn_at(ends, drawn)
+        dots = "section.cost figure svg g[aria-label=dot] :is(circle, path)"
+        self.assertEqual(len(self.all(dots)), len(levels))
+        self.assertIn("95% interval", self.one("section.cost .hint").text)
+        times = self.cells("Ladders", "run time")
+        for cell, s in zip(times, self.timed["series"], strict=True):
+            level = entry_of(s)["levels"][-1]
+            low, high = (seconds_text(level[key]) for key in ["low_seconds", "high_seconds"])
+            self.assertEqual(cell, f"{seconds_text(level['median_seconds'])} [{low}, {high}]")
+        self.assert_silent()
+
+    def verdict_cells(self, column):
+        return self.cells("Verdict on conduction/slab-dirichlet", column)
+
+    def test_tells_only_what_run_times_tell(self):
+        self.open("given.html")
+        self.assertEqual(self.verdict_cells("formulation"), ["brookshaw", "lucy-flux"])
+        self.assertEqual(self.verdict_cells("time to 1%"), ["10 ms", "10.5 ms"])
+        # 0.0099/0.011 and 0.012/0.009: 1 lies between.
+        self.assertEqual(self.verdict_cells("ratio"), ["1", "≈ 1.05 [0.90, 1.33]"])
+        self.assertEqual(self.verdict_cells("time to 0.1%"), ["100 ms", "300 ms"])
+        self.assertEqual(self.verdict_cells("ratio at 0.1%"), ["1", "3.00 [2.70, 3.40]"])
+        text = self.one("article.verdict").text
+        self.assertIn("Run times do not tell it from lucy-flux (1.05 times as long).", text)
+        self.assertIn("Soonest to 1%, as far as can be told: brookshaw, 10 ms", text)
+        self.assertIn("≈: run times do not tell it from the fastest.", text)
+        self.assertNotIn("Next:", text)
+        cells = ["10 ms [9 ms, 11 ms]", "10.5 ms [9.9 ms, 12 ms]"]
+        self.assertEqual(self.cells("Ladders", "time to 1%"), cells)
+
+    def test_one_repeat_has_no_interval(self):
+        self.open("heat.html")
+        self.assertEqual(self.count("cost", "g[aria-description='interval of the run time']"), 0)
+        self.assertNotIn("95% interval", self.one("section.cost .hint").text)
+        ratios = self.verdict_cells("ratio")
+        self.assertEqual(ratios[0], "1")
+        self.assertFalse(any("[" in text or "≈" in text for text in ratios))
 
     def test_sections_without_data_are_left_out(self):
         self.open("rates.html")

@@ -235,7 +235,7 @@ class PageTest(program.ProgramTest):
         self.assertEqual(severe, [])
 
     def test_asks_no_network_and_says_nothing_on_the_console(self):
-        for name in ["heat.html", "both.html", "odd.html"]:
+        for name in ["heat.html", "both.html", "odd.html", "stable.html", "resting.html", "timed.html"]:
             with self.subTest(name):
                 self.open(name)
                 log = self.driver.get_log("performance")
@@ -639,7 +639,7 @@ class PageTest(program.ProgramTest):
         self.open("heat.html")
         for button in self.all("section.convergence figure:first-child .save button"):
             button.click()
-        svg = self.saved(".svg").read_text()
+        svg = self.saved("lattice.svg").read_text()
         root = xml.etree.ElementTree.fromstring(svg)
         self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
         for word in ["var(", "currentColor", "<style", "href", "class="]:
@@ -647,7 +647,15 @@ class PageTest(program.ProgramTest):
         texts = [node.text for node in root.iter("{http://www.w3.org/2000/svg}text")]
         for name in ["brookshaw", "brookshaw (walls off)", "campbell-flux", "campbell-flux (walls off)"]:
             self.assertIn(name, texts)
-        self.assertEqual(self.saved(".png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(self.saved("lattice.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.open("stable.html")
+        for section in ["modes", "steps", "second-law"]:
+            self.one(f"section.{section} figure:first-child .save button").click()
+        for name, word in [("worst-modes", "dx"), ("stable-steps", "heun"), ("second-law", "hot")]:
+            svg = self.saved(f"{name}-lattice.svg").read_text()
+            self.assertEqual(xml.etree.ElementTree.fromstring(svg).tag, root.tag)
+            self.assertNotIn("var(", svg)
+            self.assertIn(word, svg)
         self.assert_silent()
 
     def background(self):
@@ -670,14 +678,14 @@ class PageTest(program.ProgramTest):
     def test_fits_a_phone(self):
         phone = {"width": 360, "height": 800, "deviceScaleFactor": 2, "mobile": True}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", phone)
-        for name in ["both.html", "odd.html"]:
+        for name in ["both.html", "odd.html", "stable.html", "resting.html", "given.html"]:
             self.open(name)
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 360)
         plot = self.script("return document.querySelector('section.cost svg').clientWidth")
         self.assertLessEqual(plot, 360)
 
     def test_prints(self):
-        self.open("heat.html")
+        self.open("stable.html")
         pdf = base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {})["data"])
         self.assertTrue(pdf.startswith(b"%PDF"))
         page = {"width": 1040, "height": 700, "deviceScaleFactor": 1, "mobile": False}  # A4, landscape

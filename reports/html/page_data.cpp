@@ -119,12 +119,37 @@ double scale_of(Series const& series, std::vector<RunRecord> const& runs, OrderE
   return scale;
 }
 
+/// [seconds, low, high]: the median and the interval of it where repeats give one, else the shortest.
+Json time_json(Number const& shortest, MedianSeconds const& m) {
+  if (!m.median) return {number(shortest), nullptr, nullptr};
+  return {number(m.median), number(m.low), number(m.high)};
+}
+
+/// Mean of a time of all runs; empty for none, or if one of them has no such time.
+template <class TimeOf>
+Number mean_time(std::vector<Cost const*> const& costs, TimeOf const& time_of) {
+  double sum = 0.0;
+  for (Cost const* cost : costs) {
+    Number const time = time_of(*cost);
+    if (!time) return std::nullopt;
+    sum += *time;
+  }
+  return costs.empty() ? Number() : Number(sum / static_cast<double>(costs.size()));
+}
+
+Json mean_time_json(std::vector<Cost const*> const& costs) {
+  return time_json(mean_time(costs, [](Cost const& c) { return Number(c.seconds); }),
+                   {mean_time(costs, [](Cost const& c) { return c.median.median; }),
+                    mean_time(costs, [](Cost const& c) { return c.median.low; }),
+                    mean_time(costs, [](Cost const& c) { return c.median.high; })});
+}
+
 Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dictionary& word) {
   struct Level {
     double spacing = NAN;
-    int replicates = 0, failed = 0, timed = 0;
+    int replicates = 0, failed = 0;
     std::string status;
-    double seconds = 0.0;
+    std::vector<Cost const*> timed;
   };
   std::map<int, Level> levels;
   for (std::size_t const index : series.runs) {
@@ -136,15 +161,13 @@ Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
       ++level.failed;
       level.status = run.status;
     } else if (run.cost) {
-      level.seconds += run.cost->seconds;
-      ++level.timed;
+      level.timed.push_back(&*run.cost);
     }
   }
   Json list = Json::array();
   for (auto const& [resolution, level] : levels) {
     list.push_back({resolution, number(level.spacing), level.replicates, level.failed,
-                    level.failed > 0 ? word(level.status) : Json(nullptr),
-                    level.timed > 0 ? number(level.seconds / level.timed) : Json(nullptr)});
+                    level.failed > 0 ? word(level.status) : Json(nullptr), mean_time_json(level.timed)});
   }
   return list;
 }
@@ -183,6 +206,10 @@ Json orders_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
   return list;
 }
 
+Json target_json(TimeToTarget const& target) {
+  return {{"time", time_json(target.seconds, target.median)}, {"is_bound", target.is_bound}};
+}
+
 Json row_json(SeriesRow const& row) {
   return {{"field", row.field},
           {"norm", row.norm},
@@ -193,9 +220,9 @@ Json row_json(SeriesRow const& row) {
           {"relative_error", number(row.relative_error)},
           {"order", number(row.order)},
           {"half_width", number(row.half_width)},
-          {"seconds", number(row.seconds)},
-          {"seconds_to_percent", number(row.to_percent.seconds)},
-          {"percent_is_bound", row.to_percent.is_bound},
+          {"time", time_json(row.seconds, row.median)},
+          {"to_percent", target_json(row.to_percent)},
+          {"to_permille", target_json(row.to_permille)},
           {"wall_flux_error", number(row.wall_flux_error)},
           {"energy_drift", number(row.energy_drift)},
           {"wall_budget_defect", number(row.wall_budget_defect)},
@@ -243,8 +270,8 @@ Json runs_json(Results const& results, std::vector<std::size_t> const& series_of
         {series_of[i] < results.series.size() ? Json(series_of[i]) : Json(nullptr), run.resolution,
          run.particles, has_seed ? Json(run.discretisation.layout.seed) : Json(nullptr), word(run.status),
          run.reason.empty() ? Json(nullptr) : word(run.reason), number(run.smoothing_length),
-         cost ? number(cost->seconds) : Json(nullptr), cost ? Json(cost->steps) : Json(nullptr),
-         cost ? Json(cost->rate_evaluations) : Json(nullptr),
+         cost ? time_json(cost->seconds, cost->median) : Json(nullptr),
+         cost ? Json(cost->steps) : Json(nullptr), cost ? Json(cost->rate_evaluations) : Json(nullptr),
          cost ? Json(cost->pair_interactions) : Json(nullptr), cost ? Json(cost->peak_bytes) : Json(nullptr),
          number(drift), number(defect), number(flux_error),
          run.integration ? number(run.integration->time_error_share) : Json(nullptr),
@@ -253,7 +280,7 @@ Json runs_json(Results const& results, std::vector<std::size_t> const& series_of
          stability ? number(stability->largest_stable_step) : Json(nullptr)});
   }
   return {{"columns",
-           {"series", "resolution", "particles", "seed", "status", "reason", "smoothing_length", "seconds",
+           {"series", "resolution", "particles", "seed", "status", "reason", "smoothing_length", "time",
             "steps", "rate_evaluations", "pair_interactions", "peak_bytes", "energy_drift",
             "wall_budget_defect", "wall_flux_error", "time_error_share", "spectral_abscissa",
             "spectral_radius", "largest_stable_step"}},
@@ -385,6 +412,127 @@ Json spectra_json(Results const& results, std::size_t share) {
   return list;
 }
 
+Json word_or_null(std::string const& text, Dictionary& word) {
+  return text.empty() ? Json(nullptr) : word(text);
+}
+
+Json numbers(std::vector<double> const& values) {
+  Json list = Json::array();
+  for (double const value : values) list.push_back(number(value));
+  return list;
+}
+
+/// All replicates of a series' finest resolution that has a run for which `holds` is true: of these, those
+/// for which it is.
+std::vector<std::size_t> finest_runs(Results const& results, Series const& series,
+                                     std::function<bool(RunRecord const&)> const& holds) {
+  std::vector<std::size_t> chosen;
+  int finest = -1;
+  for (std::size_t const index : series.runs) {
+    RunRecord const& run = results.runs[index];
+    if (!holds(run) || run.resolution < finest) continue;
+    if (run.resolution > finest) chosen.clear();
+    finest = run.resolution;
+    chosen.push_back(index);
+  }
+  return chosen;
+}
+
+/// [growth, frequency, wavelength, share near walls, centre], in the units of the document.
+Json mode_json(Mode const& mode) {
+  return {number(mode.growth), number(mode.frequency), number(mode.wavelength), number(mode.wall_share),
+          numbers(mode.centre)};
+}
+
+Json stabilities_json(Results const& results, Dictionary& word) {
+  auto const is_told = [](RunRecord const& run) {
+    return run.stability && (run.stability->worst_mode || !run.stability->stable_steps.empty());
+  };
+  auto const is_explained = [](RunRecord const& run) {
+    return run.stability && !run.stability->remark.empty();
+  };
+  Json list = Json::array();
+  for (Series const& one : results.series) {
+    auto chosen = finest_runs(results, one, is_told);
+    if (chosen.empty()) chosen = finest_runs(results, one, is_explained);
+    for (std::size_t const index : chosen) {
+      Stability const& s = *results.runs[index].stability;
+      Json steps = Json::array();
+      for (auto const& [method, step] : s.stable_steps) {
+        steps.push_back(
+            {word(method), number(step.theory), number(step.measured), word_or_null(step.remark, word)});
+      }
+      list.push_back({{"run", index},
+                      {"growing", s.growing_modes ? Json(*s.growing_modes) : Json(nullptr)},
+                      {"unseen", s.unseen_modes ? Json(*s.unseen_modes) : Json(nullptr)},
+                      {"method", word_or_null(s.method, word)},
+                      {"remark", word_or_null(s.remark, word)},
+                      {"worst", s.worst_mode ? mode_json(*s.worst_mode) : Json(nullptr)},
+                      {"steps", std::move(steps)}});
+    }
+  }
+  return list;
+}
+
+double abscissa(RunRecord const& run) { return run.stability->spectral_abscissa.value_or(-INFINITY); }
+
+/// Small perturbations of a gas about rest: of each conjugate pair one mode. Modes in which no particle moves
+/// have no wavelength and are only counted.
+Json perturbations_json(Results const& results, std::size_t share) {
+  auto const chosen = one_per_series(
+      results, [](RunRecord const& run) { return run.stability && !run.stability->modes.empty(); }, abscissa);
+  std::size_t const points = points_each(most_spectrum_numbers / share, 3 * chosen.size());
+  Json list = Json::array();
+  for (auto const& [series, index] : chosen) {
+    Stability const& s = *results.runs[index].stability;
+    std::vector<Mode const*> modes;
+    for (Mode const& mode : s.modes) {
+      if (mode.frequency >= 0.0 && !mode.centre.empty()) modes.push_back(&mode);
+    }
+    auto const still =
+        std::count_if(s.modes.begin(), s.modes.end(), [](Mode const& mode) { return mode.centre.empty(); });
+    // Sorted by growth, so that thinning keeps the one that grows most.
+    std::stable_sort(modes.begin(), modes.end(),
+                     [](Mode const* a, Mode const* b) { return a->growth > b->growth; });
+    Json json = {{"series", series},
+                 {"run", index},
+                 {"modes", s.modes.size()},
+                 {"still", still},
+                 {"wavelength", Json::array()},
+                 {"growth", Json::array()},
+                 {"frequency", Json::array()}};
+    for (std::size_t const k : spread_evenly(modes.size(), points)) {
+      json["wavelength"].push_back(number(modes[k]->wavelength));
+      json["growth"].push_back(number(modes[k]->growth));
+      json["frequency"].push_back(number(modes[k]->frequency));
+    }
+    list.push_back(std::move(json));
+  }
+  return list;
+}
+
+/// [size, time, place]
+Json breach_json(Breach const& breach) {
+  return {number(breach.size), number(breach.time), numbers(breach.position)};
+}
+
+Json second_laws_json(Results const& results, Dictionary& word) {
+  Json list = Json::array();
+  for (Series const& one : results.series) {
+    for (std::size_t const index :
+         finest_runs(results, one, [](RunRecord const& run) { return run.second_law.has_value(); })) {
+      SecondLaw const& s = *results.runs[index].second_law;
+      list.push_back({{"run", index},
+                      {"overshoot", breach_json(s.overshoot)},
+                      {"undershoot", breach_json(s.undershoot)},
+                      {"cold_to_hot", breach_json(s.cold_to_hot)},
+                      {"entropy", number(s.smallest_entropy_production)},
+                      {"remark", word_or_null(s.remark, word)}});
+    }
+  }
+  return list;
+}
+
 Json envelopes_json(Results const& results, Dictionary& word) {
   Json list = Json::array();
   for (Envelope const& e : results.envelopes) {
@@ -436,6 +584,9 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                {"profiles", profiles_json(results, share)},
                {"histories", histories_json(results, share)},
                {"spectra", spectra_json(results, share)},
+               {"stabilities", stabilities_json(results, word)},
+               {"perturbations", perturbations_json(results, share)},
+               {"second_laws", second_laws_json(results, word)},
                {"envelopes", envelopes_json(results, word)},
                {"skipped", skipped_json(results)}};
   json["words"] = word.words();

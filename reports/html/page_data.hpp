@@ -9,7 +9,7 @@ namespace sphverify {
 
 /// What the report's page draws, for its scripts alone (reports/page/data.js reads it): a list of documents.
 /// Numbers are rounded to five digits. Of every ladder one profile, one history and one spectrum remain,
-/// thinned so that the page stays below 3 MB.
+/// thinned so that the page stays below 3 MB, and the stability and second law of its finest runs.
 Json page_data(std::vector<NamedResults> const& documents);
 
 }  // namespace sphverify

@@ -7,13 +7,13 @@ function costRows(view) {
     if (!entry) continue;
     s.levels.forEach((level, k) => {
       const error = entry.errors[k];
-      if (error === null || error <= 0 || !(level.seconds > 0)) return;
+      if (error === null || error <= 0 || !(level.time.seconds > 0)) return;
       rows.push({
         name: s.name,
         line: s.index,
         series: s,
         level,
-        seconds: level.seconds,
+        ...level.time,
         error: error / (view.isRelative ? entry.scale : 1),
       });
     });
@@ -40,7 +40,8 @@ function costSection(view) {
   const rows = costRows(view);
   if (rows.length === 0) return null;
   const front = paretoFront(rows);
-  const x = paddedLog(rows.map((row) => row.seconds));
+  const timed = rows.filter((row) => row.low > 0 && row.high !== null);
+  const x = paddedLog(rows.flatMap((row) => [row.seconds, row.low, row.high]));
   const y = paddedLog(rows.map((row) => row.error));
   const label = `${view.isRelative ? "relative " : ""}${view.choice.norm} error of ${view.choice.field}`;
   const setting = (row) => `${settingText(row.series, view.varying)} · N = ${row.level.resolution}`;
@@ -65,12 +66,21 @@ function costSection(view) {
           ariaDescription: "Pareto front",
         }),
         ...lineMark(view, rows, "seconds", "error", { strokeWidth: 1, strokeOpacity: 0.45 }),
+        Plot.ruleY(timed, {
+          x1: "low",
+          x2: "high",
+          y: "error",
+          stroke: (row) => view.styles.get(row.name).colour,
+          strokeWidth: 1.2,
+          marker: "tick",
+          ariaDescription: "interval of the run time",
+        }),
         ...dotMark(view, rows, "seconds", "error"),
         tips(
           rows,
           "seconds",
           "error",
-          (row) => `${row.name}\n${setting(row)}\n${formatSeconds(row.seconds)}, ${error(row)}`,
+          (row) => `${row.name}\n${setting(row)}\n${formatTime(row)}, ${error(row)}`,
         ),
       ],
     }),
@@ -79,7 +89,7 @@ function costSection(view) {
     "ol",
     { class: "front" },
     ...front.map((row) =>
-      element("li", {}, `${formatSeconds(row.seconds)}: ${error(row)}, ${row.name}, ${setting(row)}`),
+      element("li", {}, `${formatTime(row)}: ${error(row)}, ${row.name}, ${setting(row)}`),
     ),
   );
   const drawn = figure(view, `Error against run time, ${view.one.name}`, plot, [
@@ -96,6 +106,7 @@ function costSection(view) {
       { class: "hint" },
       "One line for each ladder, coarse to fine; the broad band is the Pareto front: " +
         "nothing measured here is both faster and nearer." +
+        (timed.length ? " Bars: 95% interval of the median run time." : "") +
         (failed.length
           ? ` Levels that failed have neither error nor time: ${plural(failed.length, "ladder")} of ` +
             `${view.series.length} have some, listed under Failures.`

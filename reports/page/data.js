@@ -12,14 +12,23 @@ function readDocument(raw, number) {
     id: `document-${number + 1}`,
     series,
     runs: readRuns(raw.runs, series, word),
+    stabilities: raw.stabilities.map((entry) => readStability(entry, word)),
+    secondLaws: raw.second_laws.map((entry) => readSecondLaw(entry, word)),
     envelopes: raw.envelopes.map((entry) => readEnvelope(entry, word)),
   };
   doc.cases = casesOf(doc);
   nameFormulations([...series, ...doc.envelopes]);
-  for (const list of [doc.profiles, doc.histories, doc.spectra]) {
+  for (const list of [
+    doc.profiles,
+    doc.histories,
+    doc.spectra,
+    doc.stabilities,
+    doc.perturbations,
+    doc.secondLaws,
+  ]) {
     for (const entry of list) {
       entry.run = doc.runs[entry.run];
-      entry.series = series[entry.series];
+      entry.series = entry.run.series;
     }
   }
   return doc;
@@ -30,14 +39,15 @@ function readSettings(raw, word) {
 }
 
 function readSeries(raw, index, word) {
-  const levels = raw.levels.map(([resolution, spacing, replicates, failed, status, seconds]) => ({
+  const levels = raw.levels.map(([resolution, spacing, replicates, failed, status, time]) => ({
     resolution,
     spacing,
     replicates,
     failed,
     status: word(status),
-    seconds,
+    time: readTime(time),
   }));
+  const { time, to_percent, to_permille, ...row } = raw.row;
   const orders = raw.orders.map((row) => ({
     field: word(row[0]),
     region: word(row[1]),
@@ -54,6 +64,12 @@ function readSeries(raw, index, word) {
   return {
     ...raw,
     index,
+    row: {
+      ...row,
+      time: readTime(time),
+      toPercent: readTarget(to_percent),
+      toPermille: readTarget(to_permille),
+    },
     levels,
     orders,
     case: word(raw.case),
@@ -66,14 +82,58 @@ function readSeries(raw, index, word) {
   };
 }
 
+// Run time with the 95% interval of its median, where repeats give one.
+function readTime([seconds, low, high]) {
+  return { seconds, low, high };
+}
+
+function readTarget({ time, is_bound }) {
+  return { ...readTime(time), isBound: is_bound };
+}
+
 function readRuns({ columns, rows }, series, word) {
   return rows.map((row) => {
     const run = Object.fromEntries(columns.map((column, k) => [column, row[k]]));
     run.status = word(run.status);
     run.reason = word(run.reason);
+    run.time = readTime(run.time ?? [null, null, null]);
     run.series = run.series === null ? null : series[run.series];
     return run;
   });
+}
+
+function readStability(raw, word) {
+  const readMode = ([growth, frequency, wavelength, wallShare, centre]) => ({
+    growth,
+    frequency,
+    wavelength,
+    wallShare,
+    centre,
+  });
+  return {
+    ...raw,
+    method: word(raw.method),
+    remark: word(raw.remark),
+    worst: raw.worst && readMode(raw.worst),
+    steps: raw.steps.map(([method, theory, measured, remark]) => ({
+      method: word(method),
+      theory,
+      measured,
+      remark: word(remark),
+    })),
+  };
+}
+
+function readSecondLaw(raw, word) {
+  const readBreach = ([size, time, position]) => ({ size, time, position });
+  return {
+    run: raw.run,
+    overshoot: readBreach(raw.overshoot),
+    undershoot: readBreach(raw.undershoot),
+    coldToHot: readBreach(raw.cold_to_hot),
+    entropy: raw.entropy,
+    remark: word(raw.remark),
+  };
 }
 
 function readEnvelope(raw, word) {

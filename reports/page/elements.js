@@ -19,6 +19,15 @@ function select(label, options, chosen, onchange) {
   return element("label", { class: "choice" }, element("span", {}, label), list);
 }
 
+// What the numbers come to, in words: `lines` are [kind, text], kind "good", "care", "bad" or nothing.
+function sentenceList(lines) {
+  return element(
+    "ul",
+    { class: "sentences" },
+    ...lines.map(([kind, text]) => element("li", { class: kind }, text)),
+  );
+}
+
 // A heading that can be linked to.
 function section(doc, name, title, ...children) {
   const id = `${doc.id}-${name}`;

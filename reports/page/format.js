@@ -37,6 +37,12 @@ function formatSeconds(value) {
   return `${Number((value * scale).toPrecision(3))} ${unit}`;
 }
 
+// With the 95% interval of the median, where there is one.
+function formatTime({ seconds, low, high }) {
+  if (low === null || high === null) return formatSeconds(seconds);
+  return `${formatSeconds(seconds)} [${formatSeconds(low)}, ${formatSeconds(high)}]`;
+}
+
 function formatOrder(order, lower, upper) {
   if (order === null || order === undefined) return "–";
   const text = order.toFixed(2);

@@ -209,7 +209,17 @@ function viewOf(doc, state, place) {
 
 function partsOf(view) {
   if (view.series.length === 0) return [element("p", { class: "note" }, "Nothing matches these choices.")];
-  const parts = [convergenceSection, costSection, historySection, profileSection, spectrumSection]
+  const parts = [
+    convergenceSection,
+    costSection,
+    historySection,
+    profileSection,
+    spectrumSection,
+    modeSection,
+    perturbationSection,
+    stepSection,
+    secondLawSection,
+  ]
     .map((draw) => draw(view))
     .filter(Boolean);
   return [...parts, tableSection(view)];
@@ -264,8 +274,7 @@ function themeButton() {
   button.addEventListener("click", () => {
     chosen = (chosen + 1) % themes.length;
     const theme = themes[chosen];
-    if (theme === "system") delete document.documentElement.dataset.theme;
-    else document.documentElement.dataset.theme = theme;
+    chooseTheme(theme);
     button.textContent = `Colours: ${theme}`;
     button.setAttribute("aria-label", `Colours: ${theme === "system" ? "as the system" : theme}`);
   });

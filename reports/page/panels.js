@@ -152,6 +152,50 @@ function failureMark(view, rows, x, y) {
   );
 }
 
+// Crosses that tell what is wrong from what is right, in a formulation's colour.
+function crossMark(view, rows, x, y, description) {
+  return [...d3.group(rows, (row) => row.name)].map(([name, dots]) =>
+    Plot.dot(dots, {
+      x,
+      y,
+      r: 5,
+      symbol: failureSymbol,
+      stroke: view.styles.get(name).colour,
+      strokeWidth: 2,
+      ariaDescription: description,
+    }),
+  );
+}
+
+// One band for each kind, in it one line for each name: where a dot plot has its dots.
+function bandsOf(kinds, names) {
+  const lines = names.length + 1;
+  const place = (kind, name) => kinds.indexOf(kind) * lines + names.indexOf(name);
+  const end = kinds.length * lines;
+  // Labels of several words take two lines.
+  const longest = d3.max(kinds, (kind) =>
+    Math.max(kind.length / 2 + 2, ...kind.split(/[ -]/).map((word) => word.length)),
+  );
+  return {
+    place,
+    options: {
+      height: 70 + Math.max(13 * end, 40 * kinds.length),
+      marginLeft: 24 + 7 * longest,
+      y: { domain: [end - 0.5, -1], label: null },
+    },
+    marks: [
+      Plot.axisY(
+        kinds.map((_, k) => k * lines + 0.5 * (names.length - 1)),
+        { tickFormat: (_, k) => kinds[k], tickSize: 0, lineWidth: 0.6 * longest, label: null },
+      ),
+      Plot.ruleY(
+        kinds.slice(1).map((_, k) => (k + 1) * lines - 1),
+        { stroke: "var(--rule)" },
+      ),
+    ],
+  };
+}
+
 function tips(rows, x, y, title) {
   return Plot.tip(
     rows,

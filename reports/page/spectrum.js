@@ -77,21 +77,12 @@ function spectrumPanels(view, entries, scale) {
               "imaginary",
               { r: 2.6, fillOpacity: 0.6 },
             ),
-            ...[
-              ...d3.group(
-                rows.filter((row) => row.grows),
-                (row) => row.name,
-              ),
-            ].map(([name, dots]) =>
-              Plot.dot(dots, {
-                x: "real",
-                y: "imaginary",
-                r: 5,
-                symbol: failureSymbol,
-                stroke: view.styles.get(name).colour,
-                strokeWidth: 2,
-                ariaDescription: "growing mode",
-              }),
+            ...crossMark(
+              view,
+              rows.filter((row) => row.grows),
+              "real",
+              "imaginary",
+              "growing mode",
             ),
             tips(
               rows,

@@ -8,13 +8,16 @@ const isBroken = (s) => s.row.failures !== "" || s.row.verdict === "diverging";
 
 function rankFormulations(one) {
   const ranks = [...d3.group(one.series, (s) => s.name)].map(([name, series]) => rankOf(name, series));
-  const fastest = d3.min(ranks, (r) => r.seconds);
-  for (const r of ranks) r.ratio = r.seconds === null ? null : r.seconds / fastest;
+  for (const target of ["percent", "permille"]) {
+    const times = ranks.map((r) => r[target].time).filter((time) => time.seconds !== null);
+    const fastest = d3.least(times, (time) => time.seconds);
+    for (const r of ranks) r[target].ratio = ratioOf(r[target].time, fastest);
+  }
   // Those that reach 1% by time, then the others by error, then those that only fail.
   const none = (value) => value ?? Infinity;
   ranks.sort(
     (a, b) =>
-      none(a.seconds) - none(b.seconds) ||
+      none(a.percent.time.seconds) - none(b.percent.time.seconds) ||
       none(a.error) - none(b.error) ||
       a.broken / a.ladders - b.broken / b.ladders ||
       0,
@@ -26,24 +29,50 @@ function rankOf(name, series) {
   // A ladder that diverges may pass below 1% on its way up: that is no merit.
   const sound = series.filter((s) => !isBroken(s));
   const held = sound.length ? sound : series.filter((s) => s.row.failures === "");
-  const reaching = sound.filter((s) => s.row.seconds_to_percent !== null);
-  const soonest = d3.least(reaching, (s) => s.row.seconds_to_percent);
+  const percent = soonestOf(sound, "toPercent");
   const nearest = d3.least(
     held.filter((s) => errorOf(s) !== null),
     errorOf,
   );
   return {
     name,
-    best: soonest ?? nearest ?? series[0],
-    seconds: soonest ? soonest.row.seconds_to_percent : null,
-    isBound: soonest ? soonest.row.percent_is_bound : false,
+    best: percent.best ?? nearest ?? series[0],
+    percent,
+    permille: soonestOf(sound, "toPermille"),
     error: nearest ? errorOf(nearest) : null,
     isRelative: nearest ? nearest.row.relative_error !== null : false,
     ladders: series.length,
-    reached: reaching.length,
     failing: series.filter((s) => s.row.failures !== ""),
     diverging: series.filter((s) => s.row.failures === "" && s.row.verdict === "diverging"),
     broken: series.filter(isBroken).length,
+  };
+}
+
+// The ladder that gets below an error first, its time, and how many get there.
+function soonestOf(series, target) {
+  const reaching = series.filter((s) => s.row[target].seconds !== null);
+  const best = d3.least(reaching, (s) => s.row[target].seconds) ?? null;
+  const never = { seconds: null, low: null, high: null, isBound: false };
+  return { best, reached: reaching.length, time: best ? best.row[target] : never };
+}
+
+// A time over the fastest. The ends of the two intervals, divided crosswise, hold the ratio where each interval
+// holds its median; a ratio that may be 1 does not tell the two apart.
+function ratioOf(time, fastest) {
+  if (time.seconds === null) return null;
+  const isFastest = time === fastest;
+  const isKnown = [time.low, time.high, fastest.low, fastest.high].every((end) => end > 0);
+  const [low, high] = isKnown ? [time.low / fastest.high, time.high / fastest.low] : [null, null];
+  const isBound = time.isBound || fastest.isBound;
+  return {
+    value: time.seconds / fastest.seconds,
+    low,
+    high,
+    isFastest,
+    isAlike: isKnown && !isFastest && !isBound && low <= 1 && high >= 1,
+    // What that leaves of the ratio where a time is an upper bound.
+    isAtMost: time.isBound,
+    isAtLeast: fastest.isBound,
   };
 }
 
@@ -67,38 +96,54 @@ function errorText(rank) {
   return rank.isRelative ? formatPercent(rank.error) : `${formatNumber(rank.error)} (absolute)`;
 }
 
-// Ratios to the fastest; where a time is an upper bound, what that leaves of them.
-function ratioText(rank, first) {
-  if (rank.ratio === null) return "–";
-  if (rank === first) return "1";
-  if (rank.isBound && first.isBound) return "unknown";
-  return `${rank.isBound ? "≤ " : first.isBound ? "≥ " : ""}${formatRatio(rank.ratio)}`;
+function ratioText(ratio) {
+  if (ratio === null) return "–";
+  if (ratio.isFastest) return "1";
+  if (ratio.isAtMost && ratio.isAtLeast) return "unknown";
+  const sign = ratio.isAtMost ? "≤ " : ratio.isAtLeast ? "≥ " : ratio.isAlike ? "≈ " : "";
+  return sign + formatRatio(ratio.value) + (sign === "≤ " || sign === "≥ " ? "" : ratioInterval(ratio));
+}
+
+function ratioInterval({ low, high }) {
+  return low === null ? "" : ` [${formatRatio(low)}, ${formatRatio(high)}]`;
+}
+
+// Never or not known, and what was reached already on the coarsest level.
+function targetText(rank, { time }) {
+  if (time.seconds === null) return noTimeText(rank);
+  return (time.isBound ? "≤ " : "") + formatSeconds(time.seconds);
 }
 
 function verdictSentences(one, ranks) {
-  const isTimed = ranks.some((r) => r.seconds !== null);
+  const isTimed = ranks.some((r) => r.percent.time.seconds !== null);
   const lines = [];
   const [first, ...others] = ranks;
   if (isTimed) {
     // Below 1% on the coarsest level already: an upper bound, which may hide less than the first one's time.
-    const unsure = others.filter((r) => r.isBound);
+    const unsure = others.filter((r) => r.percent.time.isBound);
+    const alike = others.filter((r) => r.percent.ratio?.isAlike);
+    const { time } = first.percent;
     lines.push([
       "good",
-      `Soonest to 1%${unsure.length ? ", as far as can be told" : ""}: ${first.name}, ` +
-        `${first.isBound ? "at most " : ""}${formatSeconds(first.seconds)} (${bestSettings(one, first.best)}).`,
+      `Soonest to 1%${unsure.length + alike.length ? ", as far as can be told" : ""}: ${first.name}, ` +
+        `${time.isBound ? "at most " : ""}${formatSeconds(time.seconds)} (${bestSettings(one, first.best)}).`,
     ]);
+    if (alike.length) {
+      const names = alike.map((r) => `${r.name} (${formatRatio(r.percent.ratio.value)} times as long)`);
+      lines.push(["", `Run times do not tell it from ${names.join(", ")}.`]);
+    }
     if (unsure.length) {
       lines.push([
         "",
         `Perhaps as soon: ${unsure.map((r) => r.name).join(", ")}, below 1% on the coarsest level already.`,
       ]);
     }
-    const next = others.find((r) => r.seconds !== null && !r.isBound);
+    const next = others.find((r) => r.percent.ratio && !r.percent.ratio.isAtMost && !r.percent.ratio.isAlike);
     if (next) {
       lines.push([
         "",
-        `${unsure.length ? "Later" : "Next"}: ${next.name}, ${first.isBound ? "at least " : ""}` +
-          `${formatRatio(next.ratio)} times as long.`,
+        `${unsure.length ? "Later" : "Next"}: ${next.name}, ${time.isBound ? "at least " : ""}` +
+          `${formatRatio(next.percent.ratio.value)} times as long.`,
       ]);
     }
   } else if (first.error !== null) {
@@ -116,7 +161,7 @@ function verdictSentences(one, ranks) {
   }
   for (const r of ranks) {
     const broken = r.broken;
-    const never = isTimed && r.reached === 0;
+    const never = isTimed && r.percent.reached === 0;
     const isFar = !isTimed && r.error !== null && r.error > farBehind * first.error;
     if (broken === 0 && !never && !isFar) continue;
     const where = [...r.failing, ...r.diverging];
@@ -140,8 +185,6 @@ function verdictSentences(one, ranks) {
 
 function verdictOf(doc, one) {
   const ranks = rankFormulations(one);
-  const list = element("ul", { class: "sentences" });
-  for (const [kind, text] of verdictSentences(one, ranks)) list.append(element("li", { class: kind }, text));
   const { field, norm, finest } = one.series.find((s) => s.row.field !== "")?.row ?? one.series[0].row;
   const caption =
     field === ""
@@ -153,55 +196,58 @@ function verdictOf(doc, one) {
     { class: "verdict" },
     element("h4", {}, one.name),
     element("p", { class: "parameters" }, one.parameters),
-    list,
+    sentenceList(verdictSentences(one, ranks)),
     rankTable(one, ranks, caption),
   );
 }
 
 // Where the exact field is 0 there is no 1% of it, and a run that was not timed has no time.
 function noTimeText(rank) {
-  return rank.isRelative && rank.best.row.seconds !== null ? "never" : "–";
+  return rank.isRelative && rank.best.row.time.seconds !== null ? "never" : "–";
 }
 
 function rankTable(one, ranks, caption) {
+  // Columns that no row fills, such as times of a study that measured none, are left out.
+  const isTimed = one.series.some((s) => s.row.time.seconds !== null && s.row.relative_error !== null);
+  const isFine = isTimed && ranks.some((r) => r.permille.time.seconds !== null);
   const head = [
-    "formulation",
-    "time to 1%",
-    "ratio",
-    "order [95%]",
-    "verdict",
-    "smallest error",
-    "reach 1%",
-    "fail",
-    "diverge",
-    "best setting",
+    ["formulation", true],
+    ["time to 1%", isTimed],
+    ["ratio", isTimed],
+    ["time to 0.1%", isFine],
+    ["ratio at 0.1%", isFine],
+    ["order [95%]", true],
+    ["verdict", true],
+    ["smallest error", true],
+    ["reach 1%", isTimed],
+    ["fail", true],
+    ["diverge", true],
+    ["best setting", true],
   ];
   const body = ranks.map((r) => {
     const { row } = r.best;
     const entry = orderEntry(r.best, { field: row.field, region: "all", norm: row.norm });
     const onlyFails = r.failing.length === r.ladders;
-    const bound = r.isBound ? "≤ " : "";
     return [
       r.name,
-      onlyFails ? "fails" : r.seconds === null ? noTimeText(r) : bound + formatSeconds(r.seconds),
-      ratioText(r, ranks[0]),
+      onlyFails ? "fails" : targetText(r, r.percent),
+      ratioText(r.percent.ratio),
+      onlyFails ? "fails" : targetText(r, r.permille),
+      ratioText(r.permille.ratio),
       entry && !onlyFails ? formatOrder(entry.order, entry.lower, entry.upper) : "–",
       onlyFails ? row.failures : row.verdict || "–",
       onlyFails ? "fails" : errorText(r),
-      `${r.reached} of ${r.ladders}`,
+      `${r.percent.reached} of ${r.ladders}`,
       `${r.failing.length}`,
       `${r.diverging.length}`,
       bestSettings(one, r.best),
     ];
   });
-  // Columns that no row fills, such as times of a study that measured none, are left out.
-  const isTimed = one.series.some((s) => s.row.seconds !== null && s.row.relative_error !== null);
-  const kept = head.map((_, k) => isTimed || ![1, 2, 6].includes(k));
   const rows = body.map((cells, i) => {
     const isBad = ranks[i].failing.length === ranks[i].ladders;
     const line = element("tr", { class: isBad ? "failed" : null });
     cells.forEach((text, k) => {
-      if (kept[k]) line.append(element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : null }, text));
+      if (head[k][1]) line.append(element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : null }, text));
     });
     return line;
   });
@@ -218,13 +264,15 @@ function rankTable(one, ranks, caption) {
         element(
           "tr",
           {},
-          ...head.filter((_, k) => kept[k]).map((text) => element("th", { scope: "col" }, text)),
+          ...head.filter(([, isKept]) => isKept).map(([text]) => element("th", { scope: "col" }, text)),
         ),
       ),
       element("tbody", {}, ...rows),
     ),
   );
-  return element("div", {}, element("p", { class: "parameters" }, caption), table);
+  const isMarked = ranks.some((r) => r.percent.ratio?.isAlike || r.permille.ratio?.isAlike);
+  const remark = isMarked ? " ≈: run times do not tell it from the fastest." : "";
+  return element("div", {}, element("p", { class: "parameters" }, caption + remark), table);
 }
 
 function summarySection(doc) {

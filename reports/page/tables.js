@@ -135,6 +135,29 @@ function numberColumn(label, value, text = formatNumber) {
   return { label, value, text: (row) => text(value(row)) };
 }
 
+// The time that a level reached already where it is coarsest is an upper bound.
+function timeColumn(label, time) {
+  return {
+    label,
+    value: (row) => time(row).seconds,
+    text: (row) => (time(row).isBound ? "≤ " : "") + formatTime(time(row)),
+  };
+}
+
+// What tells the runs of one case apart, for rows that hold their name, series and run.
+function runColumns(series) {
+  return [
+    { label: "formulation", value: (row) => row.name },
+    ...settingColumns(series, (row) => row.series),
+    numberColumn("N", (row) => row.run.resolution, String),
+    numberColumn(
+      "seed",
+      (row) => row.run.seed,
+      (seed) => (seed === null ? "–" : String(seed)),
+    ),
+  ];
+}
+
 function ladderTable(view) {
   const rows = view.tableSeries;
   const entry = (s) =>
@@ -157,12 +180,9 @@ function ladderTable(view) {
         text: (s) => formatOrder(entry(s)?.order, entry(s)?.lower, entry(s)?.upper),
       },
       { label: "verdict", value: (s) => entry(s)?.verdict },
-      numberColumn("run time", (s) => s.row.seconds, formatSeconds),
-      {
-        label: "time to 1%",
-        value: (s) => s.row.seconds_to_percent,
-        text: (s) => (s.row.percent_is_bound ? "≤ " : "") + formatSeconds(s.row.seconds_to_percent),
-      },
+      timeColumn("run time", (s) => s.row.time),
+      timeColumn("time to 1%", (s) => s.row.toPercent),
+      timeColumn("time to 0.1%", (s) => s.row.toPermille),
       numberColumn("wall flux error", (s) => s.row.wall_flux_error, formatPercent),
       numberColumn("energy drift", (s) => s.row.energy_drift),
       numberColumn("wall budget defect", (s) => s.row.wall_budget_defect),
@@ -190,7 +210,7 @@ function runTable(view) {
       { label: "status", value: (r) => r.status },
       { label: "reason", value: (r) => r.reason },
       numberColumn("h [m]", (r) => r.smoothing_length),
-      numberColumn("run time", (r) => r.seconds, formatSeconds),
+      timeColumn("run time", (r) => r.time),
       numberColumn("steps", (r) => r.steps),
       numberColumn("rate evaluations", (r) => r.rate_evaluations),
       numberColumn("pairs", (r) => r.pair_interactions),

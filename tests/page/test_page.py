@@ -1,7 +1,9 @@
 """Opens the page of `sphverify report` in headless Chromium: what it draws, and whether one can use it."""
 
 import base64
+import copy
 import json
+import math
 import pathlib
 import sys
 import tempfile
@@ -73,6 +75,41 @@ RATES = {
     "resolution": [20, 40],
 }
 
+# Operators that grow and that do not, two levels and replicates; a gas whose neighbours pair.
+STABLE = {
+    "schema": "sphverify-study/1",
+    "name": "stable",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": ["conduction/brookshaw", "conduction/campbell-flux"],
+    "discretisation": {
+        "smoothing_ratio": 1.0,
+        "layout": ["lattice", {"id": "jittered", "amplitude": 0.1, "seeds": [1, 2]}],
+    },
+    "resolution": [8, 12],
+    "measure": ["error", "stability", "stable-step", "second-law", "spectrum"],
+}
+RESTING = {
+    "schema": "sphverify-study/1",
+    "name": "resting",
+    "cases": [{"id": "hydro/uniform", "parameters": {"boundary": "periodic", "final_time": 0.02}}],
+    "formulations": ["momentum/p-rho2"],
+    "discretisation": {
+        "smoothing_ratio": 2.0,
+        "layout": ["lattice", {"id": "jittered", "amplitude": 0.1, "seeds": [1, 2]}],
+    },
+    "resolution": [12, 24],
+    "measure": ["error", "stability", "stable-step", "spectrum"],
+}
+TIMED = {
+    "schema": "sphverify-study/1",
+    "name": "timed",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": ["conduction/brookshaw", "conduction/lucy-flux"],
+    "resolution": [10, 20, 40],
+    "measure": ["error", "cost"],
+    "repeat": {"most": 8, "least": 6, "spread": 0.1, "seconds": 2},
+}
+
 
 def envelopes_of(document):
     """One envelope in the form of the results, which this study does not measure itself."""
@@ -89,6 +126,30 @@ def envelopes_of(document):
 
 def entry_of(series, field="temperature", region="all", norm="l2"):
     return next(o for o in series["orders"] if (o["field"], o["region"], o["norm"]) == (field, region, norm))
+
+
+def set_times(document, times):
+    """Puts [median, low, high] of each formulation in the place of its times to an error."""
+    for series in document["series"]:
+        for target in series["time_to_error"]:
+            given = times.get((series["formulation"], target["relative"]))
+            median, low, high = given or (None, None, None)
+            target |= {"seconds": median, "median_seconds": median, "low_seconds": low, "high_seconds": high}
+            target["is_bound"] = False
+    return document
+
+
+def seed_of(run):
+    layout = run["discretisation"]["layout"]
+    return str(layout["seed"]) if isinstance(layout, dict) else "–"
+
+
+def seconds_text(value):
+    """As the page writes it: three digits and a unit."""
+    if value is None:
+        return "–"
+    scale, unit = (1, "s") if value >= 1 else (1e3, "ms") if value >= 1e-3 else (1e6, "µs")
+    return f"{float(format(value * scale, '.3g')):g} {unit}"
 
 
 class PageTest(program.ProgramTest):
@@ -111,6 +172,17 @@ class PageTest(program.ProgramTest):
         maker.succeed("report", cls.place / "odd.json", "-o", cls.place / "odd.html")
         maker.study(RATES, "rates.json")
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
+        cls.stable = maker.study(STABLE, "stable.json")
+        maker.succeed("report", cls.place / "stable.json", "-o", cls.place / "stable.html")
+        cls.resting = maker.study(RESTING, "resting.json")
+        maker.succeed("report", cls.place / "resting.json", "-o", cls.place / "resting.html")
+        cls.timed = maker.study(TIMED, "timed.json")
+        maker.succeed("report", cls.place / "timed.json", "-o", cls.place / "timed.html")
+        brookshaw, lucy = TIMED["formulations"]
+        given = {(brookshaw, 0.01): (0.010, 0.009, 0.011), (lucy, 0.01): (0.0105, 0.0099, 0.012)}
+        given |= {(brookshaw, 0.001): (0.1, 0.09, 0.11), (lucy, 0.001): (0.3, 0.297, 0.306)}
+        maker.write("given.json", set_times(copy.deepcopy(cls.timed), given))
+        maker.succeed("report", cls.place / "given.json", "-o", cls.place / "given.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
 
@@ -163,7 +235,7 @@ class PageTest(program.ProgramTest):
         self.assertEqual(severe, [])
 
     def test_asks_no_network_and_says_nothing_on_the_console(self):
-        for name in ["heat.html", "both.html", "odd.html"]:
+        for name in ["heat.html", "both.html", "odd.html", "stable.html", "resting.html", "timed.html"]:
             with self.subTest(name):
                 self.open(name)
                 log = self.driver.get_log("performance")
@@ -245,7 +317,7 @@ class PageTest(program.ProgramTest):
                 if any(run["status"] != "ok" for run in finest) or entry_of(series)["verdict"] == "diverging":
                     continue
                 name = series["label"].split("/")[1]
-                best[name] = min(best.get(name, float("inf")), target["seconds"])
+                best[name] = min(best.get(name, float("inf")), target["median_seconds"])
         heads = self.all("article.verdict:first-of-type tbody th")
         ranked = [head.get_attribute("textContent") for head in heads]
         self.assertEqual(ranked[: len(best)], sorted(best, key=best.get))
@@ -273,6 +345,223 @@ class PageTest(program.ProgramTest):
             },
         )
         self.assert_silent()
+
+    def finest_runs(self, document):
+        """In the order of the page."""
+        runs = [document["runs"][run] for series in document["series"] for run in series["runs"]]
+        finest = max(run["resolution"] for run in runs)
+        return [run for run in runs if run["resolution"] == finest]
+
+    def marks(self, section, description, tag, attribute):
+        """A number of every mark of a section's plots, by description, as drawn."""
+        nodes = self.all(f"section.{section} figure svg g[aria-description='{description}'] {tag}")
+        return [float(node.get_attribute(attribute)) for node in nodes]
+
+    def places(self, section, description):
+        """Where the centres of a section's symbols are, of all its plots; crosses and circles alike."""
+        text = "return [...document.querySelectorAll(arguments[0])].map(e => { const m = e.transform.baseVal;"
+        text += "return m.length ? [m[0].matrix.e, m[0].matrix.f] : [e.cx.baseVal.value, e.cy.baseVal.value] })"
+        marks = f"section.{section} figure svg g[aria-description='{description}'] :is(circle, path)"
+        return self.script(text, marks)
+
+    def assert_drawn_at(self, values, pixels):
+        """That these values, on a linear axis, lie at these pixels."""
+        values, pixels = sorted(values), sorted(pixels)
+        self.assertEqual(len(values), len(pixels))
+        self.assertGreater(values[-1], values[0])
+        scale = (pixels[-1] - pixels[0]) / (values[-1] - values[0])
+        for value, pixel in zip(values, pixels):
+            self.assertAlmostEqual(pixels[0] + scale * (value - values[0]), pixel, delta=0.5)
+
+    def test_draws_stable_steps_by_theory_and_by_experiment(self):
+        self.open("stable.html")
+        runs = self.finest_runs(self.stable)
+        steps = [(method, step) for run in runs for method, step in run["stability"]["stable_steps"].items()]
+        theory = [step["theory"] for _, step in steps if step["theory"] is not None]
+        measured = [step["measured"] for _, step in steps if step["measured"] is not None]
+        none = [step for _, step in steps if step["remark"].startswith("no step is stable")]
+        self.assertGreater(len(measured), 12)
+        self.assertGreater(len(none), 0)
+        self.assertEqual(len(self.all("section.steps figure")), 2)
+        self.assert_drawn_at([math.log(dt) for dt in theory], self.marks("steps", "by theory", "line", "x1"))
+        tried = [x for x, _ in self.places("steps", "by experiment")]
+        self.assert_drawn_at([math.log(dt) for dt in measured], tried)
+        self.assertEqual(self.count("steps", "g[aria-description='no step is stable'] path"), len(none))
+
+        table = "Largest stable steps"
+        self.assertEqual(self.cells(table, "method"), [method for method, _ in steps])
+        self.assertEqual(self.cells(table, "seed"), [seed_of(run) for run in runs for _ in range(4)])
+        for column, key in [("by theory", "theory"), ("by experiment", "measured")]:
+            self.assertEqual(self.cells(table, column), [seconds_text(step[key]) for _, step in steps])
+        words = []
+        for run in runs:
+            for step in run["stability"]["stable_steps"].values():
+                tried = step["theory"] is not None and step["measured"] is not None
+                near = tried and abs(step["measured"] / step["theory"] - 1) <= 0.01
+                grows = ", but a mode grows" if run["stability"]["growing_modes"] else ""
+                words.append((("agree" if near else "differ") + grows) if tried else "")
+        self.assertEqual(self.cells(table, "agreement"), words)
+        sentence = next(line for line in self.lines("steps") if line.startswith("brookshaw: "))
+        self.assertIn("agree within 1% on 12 of 12 steps", sentence)
+        self.open("resting.html")
+        self.assertEqual(set(self.cells(table, "method")), {"leapfrog"})
+        self.assert_silent()
+
+    def lines(self, section):
+        return [line.text for line in self.all(f"section.{section} .sentences li")]
+
+    def test_draws_the_worst_modes(self):
+        self.open("stable.html")
+        runs = self.finest_runs(self.stable)
+        stabilities = [run["stability"] for run in runs]
+        growing = [s for s in stabilities if s["growing_modes"] > 0]
+        self.assertTrue(0 < len(growing) < len(stabilities))
+        for kind, chosen in [
+            ("growing mode", growing),
+            ("worst mode", [s for s in stabilities if s not in growing]),
+        ]:
+            places = self.places("modes", kind)
+            modes = [s["worst_mode"] for s in chosen]
+            self.assert_drawn_at([math.log(mode["wavelength"]) for mode in modes], [x for x, _ in places])
+            self.assert_drawn_at([-mode["wall_share"] for mode in modes], [y for _, y in places])
+        self.assertEqual(
+            self.cells("Worst modes", "growing modes"), [str(s["growing_modes"] or 0) for s in stabilities]
+        )
+        for column, key in [("growth [1/s]", "growth"), ("wavelength [dx]", "wavelength")]:
+            for cell, s in zip(self.cells("Worst modes", column), stabilities, strict=True):
+                self.assertAlmostEqual(float(cell) / s["worst_mode"][key], 1.0, delta=0.006)
+        for cell, s in zip(self.cells("Worst modes", "centre [m]"), stabilities, strict=True):
+            self.assertAlmostEqual(float(cell), s["worst_mode"]["centre"][0], delta=0.002)
+        unseen = [str(s["unseen_modes"]) for s in stabilities]
+        self.assertEqual(self.cells("Worst modes", "unseen modes"), unseen)
+        self.assertIn("brookshaw: no mode grows in 3 runs.", self.lines("modes"))
+        fastest = max(s["worst_mode"]["growth"] for s in growing)
+        sentence = next(line for line in self.lines("modes") if line.startswith("campbell-flux: "))
+        self.assertIn(f"modes grow in {len(growing)} of 3 runs, fastest at {fastest:.3g}/s", sentence)
+
+    def test_draws_perturbations_of_a_gas_about_rest(self):
+        self.open("stable.html")
+        self.assertEqual(self.all("section.perturbations"), [])
+        self.open("resting.html")
+        runs = self.finest_runs(self.resting)
+        lattice = next(run for run in runs if run["discretisation"]["layout"] == "lattice")
+        disordered = [run for run in runs if run is not lattice]
+        worst = max(disordered, key=lambda run: run["stability"]["spectral_abscissa"])
+        self.assertGreater(worst["stability"]["growing_modes"], 0)
+        drawn = {"mode": [], "growing mode": []}
+        for run in [lattice, worst]:
+            radius = run["stability"]["spectral_radius"]
+            for mode in run["stability"]["modes"]:
+                if mode["frequency"] >= 0 and mode["centre"]:
+                    drawn["growing mode" if mode["growth"] > 1e-4 * radius else "mode"].append(mode)
+        for quantity in ["growth", "frequency"]:
+            self.choose("Quantity", f"{quantity} [1/s]")
+            for kind, modes in drawn.items():
+                places = self.places("perturbations", kind)
+                waves = [2 * math.pi / m["wavelength"] if m["wavelength"] else 0.0 for m in modes]
+                self.assert_drawn_at(waves, [x for x, _ in places])
+                self.assertEqual(len(places), len(modes))
+        growths = [mode["growth"] for mode in drawn["growing mode"]]
+        self.choose("Quantity", "growth [1/s]")
+        heights = [y for _, y in self.places("perturbations", "growing mode")]
+        self.assert_drawn_at([-growth for growth in growths], heights)
+        captions = [node.text for node in self.all("section.perturbations figcaption")]
+        self.assertIn("nothing grows", captions[0])
+        self.assertIn(f"grows at up to {max(growths):.3g}/s", captions[1])
+        self.assert_silent()
+
+    def test_draws_where_the_second_law_broke(self):
+        self.open("stable.html")
+        laws = [run["second_law"] for run in self.finest_runs(self.stable)]
+        kinds = {
+            "heat from cold to hot": "cold_to_hot",
+            "hotter than ever before": "overshoot",
+            "colder than ever before": "undershoot",
+        }
+        self.assertEqual([law["remark"] for law in laws], [""] * len(laws))
+        dots = self.count("second-law", "g[aria-description=breach] :is(circle, path)")
+        self.assertEqual(dots, 4 * len(laws))
+        for column, key in kinds.items():
+            self.assertTrue(any(law[key]["size"] > 0 for law in laws), key)
+            for cell, law in zip(self.cells("Second law", column), laws, strict=True):
+                size = 100 * law[key]["size"]
+                self.assertAlmostEqual(float(cell.split("%")[0]), size, delta=0.06 * size)
+                if size > 0:
+                    time = float(cell.split("t = ")[1].split(",")[0])
+                    self.assertAlmostEqual(time, law[key]["time"], delta=0.006 * time)
+                    place = float(cell.split("x = ")[1])
+                    self.assertAlmostEqual(place, law[key]["position"][0], delta=0.002)
+        # Linear up to 1%, logarithmic beyond.
+        sizes = [law[key]["size"] for law in laws for key in kinds.values()]
+        sizes += [max(0.0, -law["smallest_entropy_production"]) for law in laws]
+        drawn = [x for x, _ in self.places("second-law", "breach")]
+        self.assert_drawn_at([math.log1p(size / 0.01) for size in sizes], drawn)
+        falls = sum(law["smallest_entropy_production"] < 0 for law in laws)
+        broken = self.cells("Second law", "broken")
+        self.assertEqual(sum("entropy falls" in text for text in broken), falls)
+        self.assertGreater(falls, 0)
+        sentences = self.lines("second-law")
+        self.assertIn("brookshaw: kept in 3 runs.", sentences)
+        sentence = next(line for line in sentences if line.startswith("campbell-flux: broken in "))
+        self.assertIn(f"entropy falls in {falls}", sentence)
+
+    def test_draws_the_interval_of_run_times(self):
+        self.open("timed.html")
+        levels = [level for s in self.timed["series"] for level in entry_of(s)["levels"]]
+        self.assertTrue(all(level["low_seconds"] is not None for level in levels))
+        ends = [math.log(level[key]) for level in levels for key in ["low_seconds", "high_seconds"]]
+        bars = "interval of the run time"
+        drawn = self.marks("cost", bars, "line", "x1") + self.marks("cost", bars, "line", "x2")
+        self.assert_drawn_at(ends, drawn)
+        dots = "section.cost figure svg g[aria-label=dot] :is(circle, path)"
+        self.assertEqual(len(self.all(dots)), len(levels))
+        self.assertIn("95% interval", self.one("section.cost .hint").text)
+        times = self.cells("Ladders", "run time")
+        for cell, s in zip(times, self.timed["series"], strict=True):
+            level = entry_of(s)["levels"][-1]
+            low, high = (seconds_text(level[key]) for key in ["low_seconds", "high_seconds"])
+            self.assertEqual(cell, f"{seconds_text(level['median_seconds'])} [{low}, {high}]")
+        self.assert_silent()
+
+    def verdict_cells(self, column):
+        return self.cells("Verdict on conduction/slab-dirichlet", column)
+
+    def test_tells_only_what_run_times_tell(self):
+        self.open("given.html")
+        self.assertEqual(self.verdict_cells("formulation"), ["brookshaw", "lucy-flux"])
+        self.assertEqual(self.verdict_cells("time to 1%"), ["10 ms", "10.5 ms"])
+        # 0.0099/0.011 and 0.012/0.009: 1 lies between.
+        self.assertEqual(self.verdict_cells("ratio"), ["1", "≈ 1.05 [0.90, 1.33]"])
+        self.assertEqual(self.verdict_cells("time to 0.1%"), ["100 ms", "300 ms"])
+        self.assertEqual(self.verdict_cells("ratio at 0.1%"), ["1", "3.00 [2.70, 3.40]"])
+        text = self.one("article.verdict").text
+        self.assertIn("Run times do not tell it from lucy-flux (1.05 times as long).", text)
+        self.assertIn("Soonest to 1%, as far as can be told: brookshaw, 10 ms", text)
+        self.assertIn("≈: run times do not tell it from the fastest.", text)
+        self.assertNotIn("Next:", text)
+        cells = ["10 ms [9 ms, 11 ms]", "10.5 ms [9.9 ms, 12 ms]"]
+        self.assertEqual(self.cells("Ladders", "time to 1%"), cells)
+
+    def test_one_repeat_has_no_interval(self):
+        self.open("heat.html")
+        self.assertEqual(self.count("cost", "g[aria-description='interval of the run time']"), 0)
+        self.assertNotIn("95% interval", self.one("section.cost .hint").text)
+        ratios = self.verdict_cells("ratio")
+        self.assertEqual(ratios[0], "1")
+        self.assertFalse(any("[" in text or "≈" in text for text in ratios))
+
+    def test_sections_without_data_are_left_out(self):
+        self.open("rates.html")
+        for section in ["modes", "perturbations", "steps", "second-law", "spectrum", "envelope"]:
+            self.assertEqual(self.all(f"section.{section}"), [], section)
+        # Stability without the measure stable-step: theory alone.
+        self.open("heat.html")
+        self.assertEqual(self.all("section.second-law"), [])
+        heads = "div[aria-label='Largest stable steps'] thead th"
+        columns = [head.get_attribute("textContent") for head in self.all(heads)]
+        self.assertIn("by theory", columns)
+        self.assertNotIn("by experiment", columns)
+        self.assertNotIn("agreement", columns)
 
     def test_failures_are_listed_with_their_reasons(self):
         self.open("heat.html")
@@ -350,7 +639,7 @@ class PageTest(program.ProgramTest):
         self.open("heat.html")
         for button in self.all("section.convergence figure:first-child .save button"):
             button.click()
-        svg = self.saved(".svg").read_text()
+        svg = self.saved("lattice.svg").read_text()
         root = xml.etree.ElementTree.fromstring(svg)
         self.assertEqual(root.tag, "{http://www.w3.org/2000/svg}svg")
         for word in ["var(", "currentColor", "<style", "href", "class="]:
@@ -358,7 +647,15 @@ class PageTest(program.ProgramTest):
         texts = [node.text for node in root.iter("{http://www.w3.org/2000/svg}text")]
         for name in ["brookshaw", "brookshaw (walls off)", "campbell-flux", "campbell-flux (walls off)"]:
             self.assertIn(name, texts)
-        self.assertEqual(self.saved(".png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertEqual(self.saved("lattice.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.open("stable.html")
+        for section in ["modes", "steps", "second-law"]:
+            self.one(f"section.{section} figure:first-child .save button").click()
+        for name, word in [("worst-modes", "dx"), ("stable-steps", "heun"), ("second-law", "hot")]:
+            svg = self.saved(f"{name}-lattice.svg").read_text()
+            self.assertEqual(xml.etree.ElementTree.fromstring(svg).tag, root.tag)
+            self.assertNotIn("var(", svg)
+            self.assertIn(word, svg)
         self.assert_silent()
 
     def background(self):
@@ -369,6 +666,8 @@ class PageTest(program.ProgramTest):
         for scheme, colour in [("dark", "rgb(20, 23, 28)"), ("light", "rgb(255, 255, 255)")]:
             features = [{"name": "prefers-color-scheme", "value": scheme}]
             self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"features": features})
+            # The page hears of it with the next frame.
+            self.driver.execute_async_script("requestAnimationFrame(() => setTimeout(arguments[0]))")
             self.assertEqual(self.background(), colour)
         button = self.one("#theme")
         for theme, colour in [("light", "rgb(255, 255, 255)"), ("dark", "rgb(20, 23, 28)")]:
@@ -379,14 +678,14 @@ class PageTest(program.ProgramTest):
     def test_fits_a_phone(self):
         phone = {"width": 360, "height": 800, "deviceScaleFactor": 2, "mobile": True}
         self.driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", phone)
-        for name in ["both.html", "odd.html"]:
+        for name in ["both.html", "odd.html", "stable.html", "resting.html", "given.html"]:
             self.open(name)
             self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 360)
         plot = self.script("return document.querySelector('section.cost svg').clientWidth")
         self.assertLessEqual(plot, 360)
 
     def test_prints(self):
-        self.open("heat.html")
+        self.open("stable.html")
         pdf = base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {})["data"])
         self.assertTrue(pdf.startswith(b"%PDF"))
         page = {"width": 1040, "height": 700, "deviceScaleFactor": 1, "mobile": False}  # A4, landscape

@@ -46,12 +46,12 @@ BOOST_AUTO_TEST_CASE(brookshaws_form_converges_and_its_wall_loses_what_it_should
   RunRecord const coarse = run(choice, both);
   choice.resolution = 100;
   RunRecord const fine = run(choice, both);
-  BOOST_TEST(error(fine) < 0.6 * error(coarse));
-  BOOST_TEST(error(fine) < 3e-3);
+  BOOST_TEST(error(fine) < 0.7 * error(coarse));
+  BOOST_TEST(error(fine) < 2e-4);
   for (RunRecord const* record : {&coarse, &fine}) {
     WallFlux const& wall = record->wall_flux.at(0);
     BOOST_TEST(wall.measured < 0.0);
-    BOOST_TEST(std::abs(wall.measured - wall.exact) < 0.05 * std::abs(wall.exact));
+    BOOST_TEST(std::abs(wall.measured - wall.exact) < 0.005 * std::abs(wall.exact));
     BOOST_TEST(std::abs(record->conservation.at("energy").pair_drift.value()) < 1e-12);
   }
 }
@@ -96,15 +96,17 @@ BOOST_AUTO_TEST_CASE(the_jacobian_is_that_of_the_state_it_is_asked_for) {
   }
 }
 
-BOOST_AUTO_TEST_CASE(two_dimensions_radiate_as_one_does) {
+BOOST_AUTO_TEST_CASE(a_wall_in_two_dimensions_loses_what_it_does_in_one) {
   for (std::string const& formulation : conduction_schemes()) {
     RunChoice choice = choice_of(formulation, 20, "quotient");
-    double const expected = error(run(choice));
+    RunRecord const line = run(choice);
     choice.parameters = {{"dimension", 2.0}};
-    RunRecord const record = run(choice);
-    BOOST_TEST_REQUIRE(record.status == "ok", record.reason);
-    BOOST_TEST(error(record) < 2.0 * expected);
-    BOOST_TEST(error(record) > 0.5 * expected);
+    RunRecord const plane = run(choice);
+    BOOST_TEST_REQUIRE(plane.status == "ok", plane.reason);
+    BOOST_TEST(plane.wall_flux.at(0).exact == line.wall_flux.at(0).exact,
+               boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(plane.wall_flux.at(0).measured == line.wall_flux.at(0).measured,
+               boost::test_tools::tolerance(0.05));
   }
 }
 

@@ -17,6 +17,7 @@
 #include "cases/extreme/conductivity_contrast.hpp"
 #include "cases/extreme/density_contrast.hpp"
 #include "cases/extreme/pressure_ratio.hpp"
+#include "cases/extreme/radiative_cooling.hpp"
 #include "cases/extreme/radiative_wall.hpp"
 #include "cases/extreme/units.hpp"
 #include "cases/hydro/acoustic.hpp"
@@ -45,6 +46,6 @@ using AllCases = std::tuple<OperatorPolynomial, OperatorSine,                   
                             SedovExplosion, GreshoVortex,                                                   //
                             ManufacturedConductingGas, HotWallGas, ConductingShockWave,                     //
                             PressureRatio, DensityContrast, ConductivityContrast, ColdFront,                //
-                            ConductionUnits, GasUnits, RadiativeWall>;
+                            ConductionUnits, GasUnits, RadiativeWall, RadiativeCooling>;
 
 }  // namespace sphverify

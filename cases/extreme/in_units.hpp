@@ -97,6 +97,12 @@ Problem<Dim> in_units(Problem<Dim> problem, Units const& units) {
     multiply(wall.temperature, units.temperature);
     multiply(wall.conductivity, factors.conductivity);
     multiply(wall.flux, factors.flux);
+    if (wall.heat_loss) {
+      wall.heat_loss = HeatLoss{
+          .flux = [factor = factors.flux, unit = units.temperature,
+                   old = std::move(wall.heat_loss->flux)](double T) { return factor * old(T / unit); },
+          .environment = units.temperature * wall.heat_loss->environment};
+    }
     if (wall.path) {
       wall.path = [=, old = std::move(wall.path)](double t) -> Point { return length * old(t / time); };
     }

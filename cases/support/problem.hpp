@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -80,6 +81,14 @@ struct Problem {
   /// Whether the exact solution holds at a place and time, where it does not everywhere: beyond, a free
   /// surface that it does not know of has been felt. Errors are taken where it holds. Empty: everywhere.
   std::function<bool(Vector<Dim> const& x, double time)> holds{};
+
+  /// Whether rates of heat conduction are affine in the temperatures: what conducts does not depend on them,
+  /// and no wall loses heat by its own.
+  bool conducts_linearly() const {
+    return !conductivity_depends_on_temperature &&
+           std::none_of(walls.begin(), walls.end(),
+                        [](Wall<Dim> const& wall) { return wall.heat_loss.has_value(); });
+  }
 };
 
 using AnyProblem = std::variant<Problem<1>, Problem<2>, Problem<3>>;

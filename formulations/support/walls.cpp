@@ -8,6 +8,7 @@
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/expects.hpp"
 #include "formulations/support/finite_face.hpp"
+#include "formulations/support/wall_heat_balance.hpp"
 #include "formulations/support/wall_riemann.hpp"
 
 namespace sphverify {
@@ -24,7 +25,7 @@ bool Wall<Dim>::prescribes(BoundaryValue value) const {
     case BoundaryValue::conductivity:
       return static_cast<bool>(conductivity);
     case BoundaryValue::flux:
-      return static_cast<bool>(flux);
+      return flux || heat_loss;
   }
   return false;
 }
@@ -213,6 +214,36 @@ void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
   }
 }
 
+/// T_B and F_B of a wall that loses heat: the temperature at which as much reaches it from within as it
+/// loses. Within is, by Closure::one_sided, the particle; else what the kernel sees, at the mean distance
+/// that it sees it from, so that a temperature linear along the normal gives the wall's own.
+template <int Dim>
+void balance_heat(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                  Closure closure) {
+  expects(!wall.temperature && !wall.flux);
+  auto const& T = particles.scalar(Field::temperature);
+  auto const& K = particles.scalar(Field::conductivity);
+  auto const& positions = particles.positions();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t const i = contacts.particle[c];
+    double inside = T[i];
+    double distance = contacts.distance[c];
+    double conductivity = K[i];
+    if (closure != Closure::one_sided) {
+      auto const mean = [&](auto const& f) {
+        return kernel_sum(contacts, c, particles, 0.0, f) / divisor(contacts, c, particles, closure);
+      };
+      inside = mean([&](std::uint32_t j) { return T[j]; });
+      distance = mean([&](std::uint32_t j) { return wall.distance(positions[j]); });
+      conductivity = mean([&](std::uint32_t j) { return K[j]; });
+    }
+    double const wall_temperature =
+        balanced_wall_temperature(*wall.heat_loss, inside, conductivity / distance);
+    contacts.temperature[c] = wall_temperature;
+    contacts.flux.set(c, wall.heat_loss->flux(wall_temperature) * contacts.outward_normal);
+  }
+}
+
 /// The gas at a contact's foot point, by the quotient. A gas that has lost its pressure sends no wave.
 template <int Dim>
 struct GasAtFoot {
@@ -293,7 +324,11 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
   bool const fourier_flux =
       one_sided && !wall.flux && wall.temperature && wanted.contains(BoundaryValue::flux);
   if (fourier_flux) wanted.insert(BoundaryValue::conductivity);
+  bool const balances =
+      wall.heat_loss && (wanted.contains(BoundaryValue::temperature) || wanted.contains(BoundaryValue::flux));
+  if (balances) wanted = wanted | BoundaryValueSet{BoundaryValue::temperature, BoundaryValue::flux};
   allocate(contacts, wanted);
+  if (balances) balance_heat(contacts, wall, particles, closure);
   if (wanted.contains(BoundaryValue::pressure)) {
     if (one_sided && has_gas && !wall.pressure && wall.velocity) {
       one_sided_pressure(contacts, wall, particles, time);
@@ -308,7 +343,7 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
       fill(contacts, wall.velocity, particles, closure, Field::velocity, contacts.velocity, time);
     }
   }
-  if (wanted.contains(BoundaryValue::temperature)) {
+  if (wanted.contains(BoundaryValue::temperature) && !balances) {
     if (one_sided && contacts.prescribes_flux_only) {
       one_sided_temperature(contacts, wall, particles, time);
     } else {
@@ -318,7 +353,7 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
   if (wanted.contains(BoundaryValue::conductivity)) {
     fill(contacts, wall.conductivity, particles, closure, Field::conductivity, contacts.conductivity, time);
   }
-  if (wanted.contains(BoundaryValue::flux)) {
+  if (wanted.contains(BoundaryValue::flux) && !balances) {
     if (fourier_flux) {
       one_sided_flux(contacts, particles);
     } else {

@@ -46,6 +46,13 @@ using ScalarAtWall = std::function<double(Vector<Dim> const& foot, double time)>
 template <int Dim>
 using VectorAtWall = std::function<Vector<Dim>(Vector<Dim> const& foot, double time)>;
 
+/// Heat that a wall loses by its own temperature, as by radiation. Neither that temperature nor the flux is
+/// prescribed then: the wall's balance with the fluid decides both (wall_heat_balance.hpp).
+struct HeatLoss {
+  std::function<double(double wall_temperature)> flux;  ///< out of the fluid [W/m^2]; rises with temperature
+  double environment;                                   ///< temperature at which nothing is lost [K]
+};
+
 /// A plane wall and what it prescribes; empty functions are not prescribed. A wall that prescribes
 /// temperature prescribes conductivity too. The fluid lies on the inner sides of all walls of a scene: where
 /// walls meet, each has a face that ends (formulations/support/finite_face.hpp).
@@ -64,10 +71,12 @@ struct Wall {
   std::function<Vector<Dim>(double time)> path{};
   double gamma =
       0.0;  ///< of the gas inside; without one Closure::one_sided interpolates pressure and velocity
+  std::optional<HeatLoss> heat_loss{};  ///< instead of temperature and flux
 
   /// Distance into the fluid; negative outside.
   double distance(Vector<Dim> const& x) const { return (point - x).dot(outward_normal); }
   Vector<Dim> foot(Vector<Dim> const& x) const { return x + distance(x) * outward_normal; }
+  /// A heat loss counts as flux.
   bool prescribes(BoundaryValue value) const;
 };
 
@@ -81,7 +90,7 @@ struct Wall {
 template <int Dim>
 struct WallContacts {
   Vector<Dim> outward_normal;
-  bool prescribes_flux_only = false;  ///< flux but no temperature
+  bool prescribes_flux_only = false;  ///< flux, as a heat loss too, but no temperature
 
   std::vector<std::uint32_t> particle;  ///< ascending
   std::vector<double> distance;         ///< d_i, to the plane [m]
@@ -125,7 +134,9 @@ template <int Dim>
 double face_weight(double d, double smoothing_length, FaceWeight rule);
 
 /// Fills the boundary values in `wanted`: what the wall prescribes at this time, else the closure's value.
-/// `flux` and `temperature` by Closure::one_sided need the other of the two, and the conductivity.
+/// `flux` and `temperature` by Closure::one_sided need the other of the two, and the conductivity. Of a wall
+/// that loses heat they are those of its balance, which the closure's temperature, conductivity and mean
+/// distance enter.
 template <int Dim>
 void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
                           BoundaryValueSet wanted, Closure closure, double time);

@@ -72,12 +72,12 @@ void SecondLawWatch<Dim>::widen_range(double time) {
       bounded_ = false;
       result_.remark = "a wall brings heat: temperatures have no bounds, entropy no balance";
     }
-    if (!wall.temperature) continue;
-    for (std::size_t c = 0; c < contacts.size(); ++c) {
-      double const T = wall.temperature(contacts.foot[c], time);
-      lowest_ = std::min(lowest_, T);
-      highest_ = std::max(highest_, T);
-    }
+    Range outside;
+    if (wall.heat_loss) outside.include(wall.heat_loss->environment);
+    for (std::size_t c = 0; wall.temperature && c < contacts.size(); ++c)
+      outside.include(wall.temperature(contacts.foot[c], time));
+    lowest_ = std::min(lowest_, outside.lowest);
+    highest_ = std::max(highest_, outside.highest);
   }
 }
 
@@ -105,6 +105,7 @@ void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) 
     for (std::size_t c = 0; c < contacts.size(); ++c) {
       if (unbounded) around[contacts.particle[c]].include(Range{-infinity, infinity});
       if (wall.temperature) around[contacts.particle[c]].include(wall.temperature(contacts.foot[c], time));
+      if (wall.heat_loss) around[contacts.particle[c]].include(wall.heat_loss->environment);
     }
   }
   for (std::size_t i = 0; i < n; ++i) {

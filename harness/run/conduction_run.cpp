@@ -343,7 +343,7 @@ class ConductionRun {
       conduction_.scene().heating(problem_.final_time, out);
     };
     // Affine rates may be perturbed by any amount; others by little enough to stay on the tangent.
-    double const amplitude = (problem_.conductivity_depends_on_temperature ? 1e-6 : 1.0) * scale_;
+    double const amplitude = (problem_.conducts_linearly() ? 1.0 : 1e-6) * scale_;
     for (ButcherTable const& method : explicit_methods()) {
       StableStep& step = stability.stable_steps[method.name] = stable_step(method, eigenvalues);
       if (!options_.measure.contains(Measure::stable_step) || !step.theory) continue;

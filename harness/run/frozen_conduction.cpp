@@ -44,7 +44,7 @@ ColouredJacobian& FrozenConduction<Dim>::jacobian() {
     jacobian_ = std::make_unique<ColouredJacobian>(
         dependencies(scene_.geometry(), scene_.scheme().two_pass),
         [this](double t, double const* T, double* out) { rate(t, T, out); },
-        !scene_.problem().conductivity_depends_on_temperature, temperature_scale_);
+        scene_.problem().conducts_linearly(), temperature_scale_);
   }
   return *jacobian_;
 }

@@ -147,7 +147,7 @@ std::vector<Number> Scene<Dim>::prescribed_wall_power(double time) {
   for (std::size_t w = 0; w < geometry_.contacts.size(); ++w) {
     Wall<Dim> const& wall = geometry_.walls[w];
     WallContacts<Dim> const& contacts = geometry_.contacts[w];
-    if (!wall.flux && !closes_flux) continue;
+    if (!wall.prescribes(BoundaryValue::flux) && !closes_flux) continue;
     // Mean of F_B . n over the contacts, weighted by the face that each stands for.
     double sum = 0.0;
     double weight = 0.0;

@@ -103,6 +103,11 @@ BOOST_AUTO_TEST_CASE(values_that_make_no_sense_are_refused) {
                          Bad{"extreme/units", "final_time", 0.0},
                          Bad{"extreme/gas-units", "time_unit", -1.0},
                          Bad{"extreme/gas-units", "length_unit", 1e200},
+                         Bad{"extreme/radiative-cooling", "radiation", 0.0},
+                         Bad{"extreme/radiative-cooling", "exponent", 9.0},
+                         Bad{"extreme/radiative-cooling", "start", 0.0},
+                         Bad{"extreme/radiative-cooling", "environment", -1.0},
+                         Bad{"extreme/radiative-cooling", "final_time", 1e9},
                          Bad{"extreme/radiative-wall", "start", 1.0},
                          Bad{"extreme/radiative-wall", "radiation", -1.0}}) {
     Case const* const one = find_case(bad.id);

@@ -33,6 +33,8 @@ std::vector<Setting> settings_of(std::string const& id) {
                              Setting{"extreme/density-contrast", "boundary", std::string("pressure")},
                              Setting{"extreme/conductivity-contrast", "contrast", 1e-2},
                              Setting{"extreme/cold-front", "exponent", 3.0},
+                             Setting{"extreme/radiative-cooling", "exponent", 1.0},
+                             Setting{"extreme/radiative-cooling", "environment", 1.5},
                              Setting{"extreme/units", "length_unit", 3.0},
                              Setting{"extreme/units", "temperature_unit", 5.0},
                              Setting{"extreme/gas-units", "mass_unit", 3.0}}) {
@@ -238,6 +240,9 @@ BOOST_AUTO_TEST_CASE(every_field_is_finite_at_all_times) {
         if (wall.temperature) finite = finite && std::isfinite(wall.temperature(x, t));
         if (wall.conductivity) finite = finite && std::isfinite(wall.conductivity(x, t));
         if (wall.flux) finite = finite && wall.flux(x, t).allFinite();
+        if (wall.heat_loss) {
+          for (double const T : {-1.0, 0.0, 2.5}) finite = finite && std::isfinite(wall.heat_loss->flux(T));
+        }
       }
       for (auto const& [name, value] : problem.landmarks) finite = finite && std::isfinite(value(t));
       BOOST_TEST(finite, "t = " << t);
@@ -269,6 +274,14 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
             BOOST_TEST(std::abs(difference.dot(wall.outward_normal)) <= tolerance);
             ++prescribed;
           }
+          if (wall.heat_loss) {
+            BOOST_TEST((!wall.temperature && !wall.flux));
+            double const lost = problem.vectors.at(Field::flux)(x, t).dot(wall.outward_normal);
+            double const expected = wall.heat_loss->flux(exact(Field::temperature, x, t));
+            BOOST_TEST(std::abs(lost - expected) <= tolerance);
+            BOOST_TEST(wall.heat_loss->flux(wall.heat_loss->environment) == 0.0);
+            ++prescribed;
+          }
           if (wall.pressure)
             BOOST_TEST(std::abs(wall.pressure(x, t) - exact(Field::pressure, x, t)) <= tolerance);
           if (wall.velocity) {
@@ -277,7 +290,7 @@ BOOST_AUTO_TEST_CASE(what_a_wall_prescribes_is_the_exact_field_at_the_wall) {
             // Along a wall that is a mirror the gas may slip.
             if (info.id.ends_with("manufactured")) BOOST_TEST(difference.norm() <= tolerance);
           }
-          BOOST_TEST((wall.temperature || wall.flux || moves(info.kind)));
+          BOOST_TEST((wall.temperature || wall.prescribes(BoundaryValue::flux) || moves(info.kind)));
           BOOST_TEST((wall.pressure || wall.velocity || info.kind == CaseKind::conduction));
         }
       }
@@ -349,6 +362,7 @@ BOOST_AUTO_TEST_CASE(opposite_sides_of_a_periodic_axis_are_the_same_place) {
 BOOST_AUTO_TEST_CASE(cases_of_one_coordinate_are_the_same_in_every_dimension) {
   for (char const* id : {"operator/polynomial", "operator/sine", "conduction/slab-dirichlet",
                          "conduction/slab-insulated", "conduction/slab-flux", "conduction/half-space-step",
+                         "extreme/radiative-cooling",
                          "hydro/uniform", "hydro/piston-velocity", "hydro/piston-pressure"}) {
     Problem<1> const line = problem_of<1>(id);
     auto const check = [&]<int Dim>(Problem<Dim> const& problem) {

@@ -9,6 +9,7 @@
 #include "cases/extreme/cold_front.hpp"
 #include "cases/extreme/conductivity_contrast.hpp"
 #include "cases/extreme/density_contrast.hpp"
+#include "cases/extreme/radiative_cooling.hpp"
 #include "cases/extreme/radiative_wall.hpp"
 #include "formulations/support/layout.hpp"
 
@@ -133,6 +134,20 @@ BOOST_AUTO_TEST_CASE(the_radiating_wall_prescribes_the_flux_of_its_exact_tempera
     BOOST_TEST(problem.walls[1].flux(Vector<1>(1.0), t)[0] == 0.4 * (std::pow(T, 4) - std::pow(0.5, 4)),
                boost::test_tools::tolerance(1e-13));
   }
+}
+
+BOOST_AUTO_TEST_CASE(the_radiating_half_space_loses_heat_by_its_own_temperature_and_is_no_linear_problem) {
+  auto const problem = problem_of<RadiativeCooling>({{"radiation", 0.4}, {"environment", 0.5}});
+  Wall<1> const& wall = problem.walls[0];
+  BOOST_TEST((!wall.temperature && !wall.flux && wall.heat_loss));
+  BOOST_TEST(wall.prescribes(BoundaryValue::flux));
+  BOOST_TEST(wall.heat_loss->environment == 0.5);
+  BOOST_TEST(wall.heat_loss->flux(1.3) == 0.4 * (std::pow(1.3, 4) - std::pow(0.5, 4)),
+             boost::test_tools::tolerance(1e-14));
+  BOOST_TEST(!problem.conducts_linearly());
+  BOOST_TEST(problem_of<RadiativeWall>().conducts_linearly());
+  BOOST_TEST(!problem_of<ColdFront>({{"exponent", 3.0}}).conducts_linearly());
+  BOOST_TEST(problem.landmarks.at("wall_temperature")(0.05) == at(problem, Field::temperature, 0.0, 0.05));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -130,7 +130,12 @@ BOOST_AUTO_TEST_CASE(sources_forces_conductivity_and_where_a_solution_holds_are_
   BOOST_TEST(gas.accuracy == 1e-12);
   plain.gamma = 0.0;
   plain.conductivity = [](Vector<1> const& y, double T) { return y[0] + T; };
+  plain.walls = slab_walls(plain.domain);
+  plain.walls[0].heat_loss = HeatLoss{.flux = [](double T) { return T - 0.5; }, .environment = 0.5};
   Problem<1> const heat = in_units(plain, units);
+  BOOST_TEST(heat.walls[0].heat_loss->flux(3.0 * 16.0) == 2.5 * 16.0 * 2.0 / 8.0 * 8.0 / 4.0);
+  BOOST_TEST(heat.walls[0].heat_loss->environment == 0.5 * 16.0);
+  BOOST_TEST(!heat.walls[1].heat_loss);
   BOOST_TEST(heat.source(x, t) == 0.375 * 16.0 / 4.0);
   BOOST_TEST(heat.accuracy == 16e-12);
   BOOST_TEST(heat.conductivity(x, 3.0 * 16.0) == 3.25 * 2.0 * 8.0 / 4.0);

@@ -84,10 +84,12 @@ BOOST_AUTO_TEST_CASE(no_rate_depends_on_a_temperature_outside_its_row_whatever_t
   check_case<1>("conduction/slab-insulated", 30, 1.0);
   check_case<1>("conduction/slab-flux", 30, 1.0);
   check_case<1>("conduction/barenblatt", 30, 1.0);
+  check_case<1>("extreme/radiative-cooling", 30, 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(no_rate_depends_on_a_temperature_outside_its_row_in_more_dimensions) {
   check_case<2>("conduction/manufactured", 14, 2.0);
+  check_case<2>("extreme/radiative-cooling", 14, 2.0);
 }
 
 BOOST_AUTO_TEST_CASE(away_from_walls_a_row_is_no_longer_than_it_must_be) {

@@ -49,6 +49,19 @@ BOOST_AUTO_TEST_CASE(a_temperature_beyond_all_that_was_is_an_overshoot) {
   BOOST_TEST(watch.result().undershoot.size == 0.2, tolerance(1e-9));
 }
 
+BOOST_AUTO_TEST_CASE(the_environment_of_a_wall_that_loses_heat_bounds_temperatures) {
+  Scene<1> scene = scene_of("extreme/radiative-cooling", "conduction/brookshaw", 20);  // from 1 towards 0
+  SecondLawWatch<1> watch(scene, 1.0);
+  std::vector<double> T(20, 1.0);
+  T[5] = 0.1;
+  watch.observe(0.0, T.data());
+  BOOST_TEST(watch.result().undershoot.size == 0.0);
+  T[5] = -0.1;
+  watch.observe(0.01, T.data());
+  BOOST_TEST(watch.result().undershoot.size == 0.1, tolerance(1e-9));
+  BOOST_TEST(watch.result().cold_to_hot.size == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(walls_widen_the_range_and_entropy_counts_what_they_give) {
   // Between walls at 1 and 2 the gas starts at the exact solution and is moved to 1: the wall at 2 heats it.
   Scene<1> scene = scene_of("conduction/slab-dirichlet", "conduction/brookshaw", 20);

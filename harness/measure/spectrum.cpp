@@ -1,5 +1,7 @@
 #include "harness/measure/spectrum.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <Eigen/SparseLU>
@@ -117,7 +119,8 @@ Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes) {
   return found;
 }
 
-Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values) {
+Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values,
+                        std::size_t most_nonzeros) {
   constexpr int directions = 300;
   constexpr int slow_directions = 60;
   constexpr double accuracy = 1e-8;
@@ -145,6 +148,14 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
   auto const highest = *std::max_element(outer.values.begin(), outer.values.end(), by(height));
   if (highest.imag() > 1e-6 * radius && !outer.has_converged(highest))
     found.remark = "Arnoldi's method did not find the largest imaginary part";
+  found.worst = rightmost(found.eigenvalues);
+  if (values.size() > most_nonzeros) {
+    found.knows_slowest = false;
+    found.remark =
+        fmt::format("the slowest eigenvalues are not looked for in more than {} nonzeros, found {}",
+                    most_nonzeros, values.size());
+    return found;
+  }
 
   double const shift = 1e-6 * radius;
   SparseMatrix shifted = matrix;
@@ -156,7 +167,10 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
     slow = arnoldi([&](Eigen::VectorXd const& x) { return Eigen::VectorXd(factors.solve(x)); }, matrix.rows(),
                    slow_directions, accuracy);
   }
-  if (slow.converged.empty()) found.remark = "Arnoldi's method did not find the slowest eigenvalues";
+  if (slow.converged.empty()) {
+    found.knows_slowest = false;
+    found.remark = "Arnoldi's method did not find the slowest eigenvalues";
+  }
   for (std::size_t k = 0; k < slow.converged.size(); ++k) {
     std::complex<double> const value = shift + 1.0 / slow.converged[k];
     // Far from the shift the inverse knows little.
@@ -194,12 +208,12 @@ Stability stability_of(Spectrum const& spectrum) {
     if (std::abs(lambda) > growth)
       step = std::min(step, std::max(0.0, -2.0 * lambda.real() / std::norm(lambda)));
   }
-  stability.spectral_abscissa = abscissa;
+  if (spectrum.knows_slowest || growing > 0) stability.spectral_abscissa = abscissa;
   stability.spectral_radius = radius;
   stability.largest_imaginary = imaginary;
   stability.unseen_modes = spectrum.unseen_modes;
   // The outermost eigenvalues do not tell how many others grow.
-  if (spectrum.complete || growing == 0) stability.growing_modes = growing;
+  if (spectrum.complete || (growing == 0 && spectrum.knows_slowest)) stability.growing_modes = growing;
   if (!stability.remark.empty()) return stability;
   if (growing > 0) {
     stability.remark = "no step is stable: a mode grows";

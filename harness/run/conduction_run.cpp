@@ -323,7 +323,7 @@ class ConductionRun {
     Spectrum const found =
         spectrum(jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()));
     stability = stability_of(found);
-    if (!found.eigenvalues.empty()) {
+    if (stability.spectral_abscissa) {
       stability.worst_mode = mode_shape(found.eigenvalues[found.worst], found.modes[found.worst], particles_,
                                         problem_.domain, problem_.walls, conduction_.scene().spacing());
     }

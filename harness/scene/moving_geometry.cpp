@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "formulations/support/cubic_spline.hpp"
@@ -137,12 +138,17 @@ void MovingGeometry<Dim>::set_smoothing_length(Particles<Dim>& particles) {
 }
 
 /// Solves h_i = (h/dx) (m_i/rho_i(h_i))^(1/Dim) for all particles by fixed-point iteration, which converges
-/// at the rate at which the density hardly depends on h; at a jump it may swing, and is damped.
+/// at the rate at which the density hardly depends on h; at a jump it may swing, and is damped. What swings
+/// even so, as at the edge of a thin gas, is bisected: every term of h^Dim rho(h) rises with h, also of the
+/// normalised sum, so that there is one solution, on the side to which the iteration points.
 template <int Dim>
 void MovingGeometry<Dim>::adapt_smoothing_length_to_sum(Particles<Dim>& particles,
                                                         std::vector<Wall<Dim>> const& walls) {
   constexpr int undamped = 10;
+  constexpr int unbracketed = 30;
+  constexpr double settled = 1e-10;
   auto& h = particles.smoothing_lengths();
+  std::vector<double> lower(h.size(), 0.0), upper(h.size(), std::numeric_limits<double>::infinity());
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     CellGrid<Dim> const grid(particles.positions(), geometry_.domain,
                              CubicSpline<Dim>::support_ratio * SmoothingLength(particles).largest());
@@ -151,10 +157,14 @@ void MovingGeometry<Dim>::adapt_smoothing_length_to_sum(Particles<Dim>& particle
     set_smoothing_length(particles);
     double change = 0.0;
     for (std::size_t i = 0; i < h.size(); ++i) {
-      change = std::max(change, std::abs(h[i] / before[i] - 1.0));
-      if (iteration >= undamped) h[i] = 0.5 * (h[i] + before[i]);
+      double const own = std::abs(h[i] / before[i] - 1.0);
+      change = std::max(change, own);
+      (h[i] > before[i] ? lower[i] : upper[i]) = before[i];
+      if (iteration < undamped) continue;
+      bool const bisect = iteration >= unbracketed && own >= settled && std::isfinite(upper[i]);
+      h[i] = bisect ? 0.5 * (lower[i] + upper[i]) : 0.5 * (h[i] + before[i]);
     }
-    if (change < 1e-10) return;
+    if (change < settled) return;
   }
   throw std::invalid_argument("the smoothing lengths that the summed density asks for do not settle");
 }

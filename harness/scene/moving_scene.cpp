@@ -7,9 +7,11 @@
 #include <limits>
 #include <numeric>
 
+#include "formulations/support/approach.hpp"
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/expects.hpp"
 #include "formulations/support/sweep.hpp"
+#include "formulations/support/wall_out_of_reach.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
 #include "harness/scene/wall_geometry.hpp"
@@ -371,6 +373,12 @@ void MovingScene<Dim>::evaluate_rates(double time) {
 
   for (std::size_t f = 0; f < free_walls_.size(); ++f) {
     WallContacts<Dim> const& contacts = geometry().contacts[free_walls_[f]];
+    if (contacts.size() == 0) {
+      // A wall may outrun its gas, into vacuum at once. It does not stop for that.
+      Wall<Dim> const& wall = walls_[free_walls_[f]];
+      wall_speed_[f] = velocity_out_of_reach(wall, particles_, closure_, time).dot(wall.outward_normal);
+      continue;
+    }
     wall_speed_[f] =
         face_mean(contacts, [&](std::size_t c) { return contacts.velocity[c].dot(contacts.outward_normal); });
   }
@@ -457,7 +465,7 @@ std::string MovingScene<Dim>::closest_approach() const {
     for (std::uint32_t const j : geometry().neighbours.row(i)) {
       Vector<Dim> const r_ij = problem_.domain.nearest_image(x[i] - x[j]);
       if (r_ij.norm() >= CubicSpline<Dim>::support_ratio * h(i, j)) continue;
-      double const rate = -(v[i] - v[j]).dot(r_ij) / r_ij.squaredNorm();
+      double const rate = rate_of_approach<Dim>(-(v[i] - v[j]).dot(r_ij), r_ij.squaredNorm(), h(i, j));
       if (rate <= fastest) continue;
       fastest = rate;
       who = fmt::format("particles {} and {}, {:.3g} apart", i, j, r_ij.norm());

@@ -136,7 +136,7 @@ struct SweepKernels {
   RowFunction continuity;
   RowFunction density;    ///< sum_j m_j W(r_ij, h_i), the particle itself left out
   RowFunction viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
-  RowFunction approach;   ///< largest -(v_i - v_j).r_ij/r_ij^2
+  RowFunction approach;   ///< largest rate_of_approach()
   /// Per pair of a row its conductance, for conduction that is linear on particles at rest.
   std::array<void (*)(Row const& row, double* conductance), most_schemes> conductance;
   void (*conductances)(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,

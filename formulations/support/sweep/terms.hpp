@@ -1,6 +1,7 @@
 #pragma once
 
 #include "formulations/density/continuity.hpp"
+#include "formulations/support/approach.hpp"
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/scheme.hpp"
 #include "formulations/support/sweep/views.hpp"
@@ -118,7 +119,7 @@ struct ViscosityTerm {
   }
 };
 
-/// Largest -(v_i - v_j).r_ij/r_ij^2
+/// Largest rate_of_approach().
 template <int Dim>
 struct ApproachTerm {
   static constexpr FieldSet reads{Field::velocity};
@@ -129,7 +130,7 @@ struct ApproachTerm {
   SPHVERIFY_INLINE explicit ApproachTerm(void const*) {}
   SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
     Pack const r = W.distance();
-    Pack const rate = -((i.u() - j.u()).dot(W.separation())) / (r * r);
+    Pack const rate = rate_of_approach<Dim, Pack>(-((i.u() - j.u()).dot(W.separation())), r * r, W.h());
     largest = max(largest, select(r < Pack(CubicSpline<Dim>::support_ratio) * W.h(), rate, 0.0));
   }
   SPHVERIFY_INLINE void write(double, double* out) const { raise_to(largest, out); }

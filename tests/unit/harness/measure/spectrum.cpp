@@ -105,6 +105,33 @@ BOOST_AUTO_TEST_CASE(arnoldi_finds_what_the_dense_solver_finds) {
   BOOST_TEST(*all.largest_imaginary > 1.0);
 }
 
+BOOST_AUTO_TEST_CASE(
+    an_operator_too_large_to_factorise_keeps_its_outer_eigenvalues_and_says_what_is_missing) {
+  DependencyPattern pattern;
+  std::vector<double> values;
+  ring(200, pattern, values);
+  Stability const whole = stability_of(outer_spectrum(pattern, values));
+  Stability const outer = stability_of(outer_spectrum(pattern, values, values.size() - 1));
+  BOOST_TEST(*outer.spectral_radius == *whole.spectral_radius, tolerance(1e-12));
+  BOOST_TEST(outer.remark ==
+             "the slowest eigenvalues are not looked for in more than 599 nonzeros, found 600");
+  // A wrong abscissa would be worse than none.
+  BOOST_TEST(!outer.spectral_abscissa.has_value());
+  BOOST_TEST(!outer.growing_modes.has_value());
+  BOOST_TEST(!outer.largest_stable_step.has_value());
+  BOOST_TEST(whole.spectral_abscissa.has_value());
+  // One that grows fast is among the outermost, and known.
+  for (std::size_t i = 0; i < 200; ++i) {
+    for (auto k = pattern.first[i]; k < pattern.first[i + 1]; ++k) {
+      if (i == 7 && pattern.column[static_cast<std::size_t>(k)] == 7)
+        values[static_cast<std::size_t>(k)] = 9.0;
+    }
+  }
+  Stability const growing = stability_of(outer_spectrum(pattern, values, values.size() - 1));
+  BOOST_TEST(*growing.spectral_abscissa > 8.0);
+  BOOST_TEST(!growing.growing_modes.has_value());
+}
+
 BOOST_AUTO_TEST_CASE(the_worst_mode_is_an_eigenvector) {
   DependencyPattern pattern;
   std::vector<double> values;

@@ -362,4 +362,26 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
   }
 }
 
+// Its density is that of its neighbours' outermost tail, which falls so steeply with h that an iteration to
+// and fro between the two, damped or not, drives it away from the solution.
+BOOST_AUTO_TEST_CASE(a_light_particle_beside_heavy_ones_finds_its_smoothing_length) {
+  Particles<1> particles(6, 0.06);
+  particles.allocate(Field::density);
+  for (std::size_t i = 0; i < 6; ++i) {
+    particles.positions().set(i, Vector<1>(i == 0 ? 0.0 : 0.05 * static_cast<double>(i + 1)));
+    particles.masses()[i] = i == 0 ? 0.01 : 1.0;
+  }
+  particles.vary_smoothing_length();
+  Domain<1> const domain{Vector<1>(-1.0), Vector<1>(1.0), {false}};
+  for (DensityRule const density : {DensityRule::summation, DensityRule::normalised}) {
+    Particles<1> own = particles;
+    MovingGeometry<1> geometry(domain, {density, FaceWeight::exact, true, 1.2, 1});
+    BOOST_REQUIRE_NO_THROW(geometry.follow(own, {}, {}));
+    for (std::size_t i = 0; i < 6; ++i) {
+      BOOST_TEST(own.smoothing_lengths()[i] * own.scalar(Field::density)[i] == 1.2 * own.masses()[i],
+                 boost::test_tools::tolerance(1e-8));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

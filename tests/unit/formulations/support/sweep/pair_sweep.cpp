@@ -263,7 +263,7 @@ class DenseSums {
     if (name == "continuity") return {m * (v_i - v_j).dot(W)};
     if (name == "density") return {m * dense::kernel<Dim>(r.norm(), h_(i))};
     Vector<Dim> const u = u_[i] - u_[j];
-    if (name == "approach") return {-u.dot(r) / r.squaredNorm()};
+    if (name == "approach") return {-u.dot(r) / (r.squaredNorm() + (Dim > 1 ? 0.01 * h * h : 0.0))};
     if (name != "viscosity") return {};
     double const mu = u.dot(r) < 0.0 ? h * u.dot(r) / (r.squaredNorm() + 0.01 * h * h) : 0.0;
     double const c = 0.5 * (s_.c(i) + s_.c(j));

@@ -47,29 +47,35 @@ std::complex<double> amplification(ButcherTable const& method, std::complex<doub
 }
 
 StableStep stable_step(ButcherTable const& method, std::vector<std::complex<double>> const& eigenvalues) {
-  constexpr double allowed = 1.0 + 1e-9;  // round-off of the eigenvalues
-  constexpr double stride = 0.01;         // in |lambda| dt
-  constexpr double farthest = 20.0;       // no method of these is stable beyond
+  constexpr double round_off = 1e-9;  // of the eigenvalues, over the radius
+  constexpr double stride = 0.01;     // in |lambda| dt
+  constexpr double farthest = 20.0;   // no method of these is stable beyond
   double radius = 0.0;
   for (auto const& lambda : eigenvalues) radius = std::max(radius, std::abs(lambda));
   StableStep result;
   double longest = std::numeric_limits<double>::infinity();
   for (auto const& lambda : eigenvalues) {
     double const size = std::abs(lambda);
-    if (size <= 1e-10 * radius) continue;  // does not move
+    if (size <= round_off * radius) continue;  // does not move
     auto const holds = [&](double z) {
-      return std::abs(amplification(method, lambda / size * z)) <= allowed;
+      return std::abs(amplification(method, lambda / size * z)) <= 1.0 + round_off * radius * z / size;
     };
-    double z = stride;
-    while (z < farthest && z / size < longest && holds(z)) z += stride;
-    if (z / size >= longest) continue;
-    double low = z - stride;
-    double high = z;
+    // A slow mode is looked at too: however short the steps, what grows by itself grows.
+    double const end = std::min(farthest, longest * size);
+    double low = 0.0;
+    double high = std::min(stride, end);
+    while (high < end && holds(high)) {
+      low = high;
+      high = std::min(high + stride, end);
+    }
+    if (holds(high)) continue;
     for (int k = 0; k < 40; ++k) {
       double const middle = 0.5 * (low + high);
       (holds(middle) ? low : high) = middle;
     }
-    longest = low / size;
+    // An undamped oscillation that only the allowance for rounding lets pass has no stable step.
+    bool const holds_truly = std::abs(amplification(method, lambda / size * (0.5 * low))) <= 1.0;
+    longest = holds_truly ? low / size : 0.0;
   }
   if (!std::isfinite(longest)) {
     result.remark = "any step is stable: no mode moves";

@@ -72,12 +72,16 @@ BOOST_AUTO_TEST_CASE(stable_steps_along_the_axes_are_those_of_the_textbooks) {
   StableStep const oscillating = stable_step(method("classical-runge-kutta"), {{0.0, 3.0}, {0.0, -3.0}});
   BOOST_TEST(oscillating.theory.value() == 2.0 * std::numbers::sqrt2 / 3.0, tolerance(1e-6));
   for (auto const& hopeless :
-       {std::vector<Complex>{{0.0, 3.0}}, std::vector<Complex>{{-1.0, 0.0}, {0.1, 0.0}}}) {
+       {std::vector<Complex>{{0.0, 3.0}}, std::vector<Complex>{{-1.0, 0.0}, {0.1, 0.0}},
+        // However slow it is beside the others.
+        std::vector<Complex>{{-1e4, 0.0}, {0.1, 0.0}}, std::vector<Complex>{{-1e4, 0.0}, {0.0, 3.0}}}) {
     StableStep const none = stable_step(method("explicit-euler"), hopeless);
     BOOST_TEST(!none.theory.has_value());
     BOOST_TEST(none.remark.starts_with("no step is stable"));
   }
   BOOST_TEST(stable_step(method("heun"), {{0.0, 0.0}}).remark.starts_with("any step is stable"));
+  // What is 1e-11 of the others is rounding, not growth.
+  BOOST_TEST(stable_step(method("heun"), {{-1e4, 0.0}, {1e-7, 0.0}}).theory.value() == 2e-4, tolerance(1e-6));
 }
 
 BOOST_AUTO_TEST_CASE(the_measured_step_is_that_of_theory) {

@@ -16,6 +16,31 @@ std::size_t place_of(std::vector<Name>& names, Name const& name) {
   return place;
 }
 
+/// The best of the cells that compete, and those that read the same; none where all do.
+std::vector<bool> best_of(std::vector<Cell> const& cells) {
+  Cell const* best = nullptr;
+  for (Cell const& cell : cells) {
+    if (cell.value && (best == nullptr || *cell.value < *best->value)) best = &cell;
+  }
+  std::vector<bool> marks;
+  for (Cell const& cell : cells) {
+    marks.push_back(best != nullptr && cell.value && (cell.value == best->value || cell.text == best->text));
+  }
+  bool const is_no_choice = std::find(marks.begin(), marks.end(), false) == marks.end();
+  return is_no_choice ? std::vector<bool>(cells.size(), false) : marks;
+}
+
+std::vector<Cell> column_of(std::vector<std::vector<Cell>> const& cells, std::size_t column) {
+  std::vector<Cell> result;
+  for (auto const& row : cells) result.push_back(row[column]);
+  return result;
+}
+
+/// Puts the marks of a column beside its cells.
+void mark(TextTable& table, std::size_t first_row, std::size_t column, std::vector<bool> const& marks) {
+  for (std::size_t k = 0; k < marks.size(); ++k) table.best[first_row + k][column] = marks[k];
+}
+
 }  // namespace
 
 TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
@@ -34,23 +59,13 @@ TextTable pivot(std::string const& title, std::vector<SeriesRow> const& rows,
   table.header.insert(table.header.end(), columns.begin(), columns.end());
   std::vector<std::vector<Cell>> cells(keys.size(), std::vector<Cell>(columns.size()));
   for (std::size_t k = 0; k < rows.size(); ++k) cells[places[k].first][places[k].second] = cell_of(rows[k]);
-  std::vector<Number> best(columns.size());
-  for (auto const& row : cells) {
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      if (row[c].value && (!best[c] || *row[c].value < *best[c])) best[c] = row[c].value;
-    }
-  }
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    std::vector<std::string> texts = keys[k];
-    std::vector<bool> marks(table.label_columns, false);
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-      Cell const& cell = cells[k][c];
-      texts.push_back(cell.text);
-      marks.push_back(keys.size() > 1 && cell.value && cell.value == best[c]);
-    }
-    table.rows.push_back(std::move(texts));
-    table.best.push_back(std::move(marks));
+    auto& texts = table.rows.emplace_back(keys[k]);
+    for (Cell const& cell : cells[k]) texts.push_back(cell.text);
+    table.best.emplace_back(texts.size(), false);
   }
+  for (std::size_t c = 0; c < columns.size(); ++c)
+    mark(table, 0, table.label_columns + c, best_of(column_of(cells, c)));
   return table;
 }
 
@@ -67,31 +82,19 @@ TextTable number_table(std::string const& title, std::vector<SeriesRow> const& r
   table.label_columns = table.header.size();
   for (NumberColumn const& column : columns) table.header.push_back(column.name);
   for (std::string const& layout : layouts) {
-    std::vector<SeriesRow const*> members;
-    for (SeriesRow const& row : rows) {
-      if (names.column(row) == layout) members.push_back(&row);
-    }
+    std::size_t const first_row = table.rows.size();
     std::vector<std::vector<Cell>> cells;
-    std::vector<Number> best(columns.size());
-    for (SeriesRow const* row : members) {
+    for (SeriesRow const& row : rows) {
+      if (names.column(row) != layout) continue;
       auto& line = cells.emplace_back();
-      for (std::size_t c = 0; c < columns.size(); ++c) {
-        line.push_back(columns[c].cell_of(*row));
-        Number const& value = line.back().value;
-        if (value && (!best[c] || *value < *best[c])) best[c] = value;
-      }
-    }
-    for (std::size_t k = 0; k < members.size(); ++k) {
-      std::vector<std::string> texts = names.row(*members[k]);
+      for (NumberColumn const& column : columns) line.push_back(column.cell_of(row));
+      auto& texts = table.rows.emplace_back(names.row(row));
       texts.push_back(layout);
-      std::vector<bool> marks(table.label_columns, false);
-      for (std::size_t c = 0; c < columns.size(); ++c) {
-        texts.push_back(cells[k][c].text);
-        marks.push_back(members.size() > 1 && cells[k][c].value && cells[k][c].value == best[c]);
-      }
-      table.rows.push_back(std::move(texts));
-      table.best.push_back(std::move(marks));
+      for (Cell const& cell : line) texts.push_back(cell.text);
+      table.best.emplace_back(texts.size(), false);
     }
+    for (std::size_t c = 0; c < columns.size(); ++c)
+      mark(table, first_row, table.label_columns + c, best_of(column_of(cells, c)));
   }
   return table;
 }

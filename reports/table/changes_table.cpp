@@ -145,15 +145,15 @@ std::string counts_text(Changes const& changes, CompareOptions const& options) {
 std::string context_text(NamedResults const& document) {
   Context const& c = document.results.context;
   std::string flags = c.flags.substr(std::min(c.flags.find_first_not_of(' '), c.flags.size()));
-  return wrapped(fmt::format("{}: version {}, commit {}, {} {}, {}, {} cores, {}", document.name, c.version,
-                             c.commit, c.compiler, flags, c.processor, c.cores, c.date));
+  return indented_lines(fmt::format("{}: version {}, commit {}, {} {}, {}, {} cores, {}", document.name,
+                                    c.version, c.commit, c.compiler, flags, c.processor, c.cores, c.date));
 }
 
 std::string names_text(std::vector<std::string> const& names, std::string const& what) {
   if (names.empty()) return "";
   std::string text = fmt::format("{} {}:\n", names.size(), what);
   for (std::size_t k = 0; k < std::min(names.size(), most_names); ++k)
-    text += wrapped("- " + names[k]) + "\n";
+    text += indented_lines("- " + names[k]) + "\n";
   if (names.size() > most_names) text += fmt::format("  and {} more\n", names.size() - most_names);
   return text;
 }

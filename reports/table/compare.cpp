@@ -81,7 +81,7 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
     for (SeriesRow const& row : rows) {
       if (table_of(row) == table) chosen.push_back(row);
     }
-    std::string const heading = fmt::format("{}\n{}", case_id, wrapped(parameters));
+    std::string const heading = fmt::format("{}\n{}", case_id, indented_lines(parameters));
     text += render(pivot(fmt::format("{}\n{} error of {}, region {}, N = {}: order or verdict", heading,
                                      chosen.front().norm, field, options.region, chosen.front().finest),
                          chosen, error_cell),

@@ -59,9 +59,9 @@ TextTable table_of(std::vector<EnvelopeRow> const& rows) {
 
   EnvelopeRow const& first = rows.front();
   TextTable table;
-  table.title =
-      fmt::format("{}\n{}\nHow far {} could be driven, asked for up to {:g}, N = {}", first.case_id,
-                  wrapped(first.parameters), first.parameter, first.to.value_or(NAN), first.resolution);
+  table.title = fmt::format("{}\n{}\nHow far {} could be driven, asked for up to {:g}, N = {}", first.case_id,
+                            indented_lines(first.parameters), first.parameter, first.to.value_or(NAN),
+                            first.resolution);
   table.header = names.header();
   for (char const* name : {"layout", "held to", "failed at", "how"}) table.header.emplace_back(name);
   if (has_seeds) table.header.emplace_back("seeds");

@@ -56,7 +56,7 @@ std::vector<std::string> lines_of_words(std::string const& words, std::size_t co
   return lines;
 }
 
-std::string wrapped(std::string const& words) {
+std::string indented_lines(std::string const& words) {
   std::string text;
   for (std::string const& line : lines_of_words(words, terminal_columns - 4))
     text += (text.empty() ? "  " : "\n  ") + line;

@@ -25,6 +25,6 @@ std::size_t text_width(std::string const& text);
 std::vector<std::string> lines_of_words(std::string const& words, std::size_t columns);
 
 /// Words in lines that fit a terminal, indented.
-std::string wrapped(std::string const& words);
+std::string indented_lines(std::string const& words);
 
 }  // namespace sphverify

@@ -85,7 +85,7 @@ std::string name_of(Envelope const& e) {
 struct Level {
   std::multiset<std::uint64_t> seeds;
   double smoothing_length = 0.0;
-  bool adaptive_steps = false;
+  double tolerance = 0.0;  ///< relative, of adaptive steps; 0: steps of fixed rules, the same everywhere
   double time_error_share = 0.0;
   double round_off = 0.0;
 };
@@ -98,9 +98,8 @@ std::map<int, Level> levels_of(Series const& series, std::vector<RunRecord> cons
     Level& level = levels[run.resolution];
     level.seeds.insert(run.discretisation.layout.seed);
     level.smoothing_length = run.smoothing_length;
-    // Steps of fixed length fall on the same times everywhere.
     if (run.integration && run.integration->relative_tolerance) {
-      level.adaptive_steps = true;
+      level.tolerance = std::max(level.tolerance, *run.integration->relative_tolerance);
       level.time_error_share =
           std::max(level.time_error_share, run.integration->time_error_share.value_or(0.0));
     }
@@ -228,13 +227,14 @@ struct Pair {
   bool same_seeds = false;
 };
 
-/// What the steps that an adaptive method happens to take leave in the drift: what they left before or after,
-/// the smaller, twice. A method that keeps less to its budget than it did is no noise.
+/// What the steps that an adaptive method happens to take leave in the drift: both tolerances, or twice the
+/// smaller of what they left. A method that keeps less to its budget than it did is no noise.
 double step_noise(Pair const& pair) {
-  if (!pair.before_level.adaptive_steps || !pair.after_level.adaptive_steps) return 0.0;
+  double const tolerances = pair.before_level.tolerance + pair.after_level.tolerance;
   Number const before = magnitude(pair.before.energy_step_drift);
   Number const after = magnitude(pair.after.energy_step_drift);
-  return before && after ? 2.0 * std::min(*before, *after) : 0.0;
+  if (tolerances == 0.0 || !before || !after) return 0.0;
+  return std::max(tolerances, 2.0 * std::min(*before, *after));
 }
 
 void compare_numbers(Pair const& pair, Collector& collect) {
@@ -275,7 +275,7 @@ void compare_numbers(Pair const& pair, Collector& collect) {
   if (!pair.same_ladder) return;  // it is that of the whole ladder
   collect.number("time error share", before.time_error_share, after.time_error_share,
                  relative_noise(before.time_error_share, after.time_error_share, unchanged,
-                                pair.before_level.adaptive_steps ? largest_time_error_share : 0.0));
+                                pair.before_level.tolerance > 0.0 ? largest_time_error_share : 0.0));
 }
 
 Change place_of(Series const& series, int resolution) {

@@ -13,16 +13,25 @@ namespace {
 
 constexpr std::size_t most_rows = 20;
 constexpr std::size_t most_names = 5;
+constexpr std::size_t narrowest_words = 20;  // columns
 constexpr char const* where_all_are = "--section changes --format csv";
 
-/// Names of series among those of both documents: only what differs is said.
+/// Names of series among those of their case in both documents: only what differs is said.
 class SeriesNames {
  public:
-  explicit SeriesNames(Changes const& changes) : names_(settings_of(changes)) {
+  explicit SeriesNames(Changes const& changes) {
+    std::map<std::string, std::vector<Setting>> settings;
     for (NamedResults const* document : {changes.before, changes.after}) {
-      for (Series const& s : document->results.series) note(s.case_id, s.parameters);
-      for (Envelope const& e : document->results.envelopes) note(e.case_id, e.parameters);
+      for (Series const& s : document->results.series) {
+        settings[s.case_id].push_back({"", s.formulation, s.discretisation, s.smoothing_exponent});
+        note(s.case_id, s.parameters);
+      }
+      for (Envelope const& e : document->results.envelopes) {
+        settings[e.case_id].push_back({"", e.formulation, e.discretisation, 0.0});
+        note(e.case_id, e.parameters);
+      }
     }
+    for (auto const& [case_id, members] : settings) names_.emplace(case_id, members);
   }
 
   std::string of(Change const& change) const {
@@ -32,22 +41,12 @@ class SeriesNames {
     }
     std::string text = change.case_id;
     if (!said.empty()) text += " " + parameters_text(said);
-    std::vector<std::string> const words = names_.row(change.setting);
-    return fmt::format("{}: {} {}", text, fmt::join(words, " "), names_.column(change.setting));
+    SettingNames const& names = names_.at(change.case_id);
+    std::vector<std::string> const words = names.row(change.setting);
+    return fmt::format("{}: {} {}", text, fmt::join(words, " "), names.column(change.setting));
   }
 
  private:
-  static std::vector<Setting> settings_of(Changes const& changes) {
-    std::vector<Setting> settings;
-    for (NamedResults const* document : {changes.before, changes.after}) {
-      for (Series const& s : document->results.series)
-        settings.push_back({"", s.formulation, s.discretisation, s.smoothing_exponent});
-      for (Envelope const& e : document->results.envelopes)
-        settings.push_back({"", e.formulation, e.discretisation, 0.0});
-    }
-    return settings;
-  }
-
   void note(std::string const& case_id, std::map<std::string, ParameterValue> const& parameters) {
     for (auto const& [name, value] : parameters) {
       auto& values = values_[case_id][name];
@@ -55,7 +54,7 @@ class SeriesNames {
     }
   }
 
-  SettingNames names_;
+  std::map<std::string, SettingNames> names_;  // by case: a gas differs from a frozen slab in much
   std::map<std::string, std::map<std::string, std::vector<ParameterValue>>> values_;
 };
 
@@ -77,9 +76,10 @@ void break_last_column(TextTable& table) {
     for (auto const& row : table.rows) width = std::max(width, text_width(row[c]));
     taken += width + 2;
   }
+  std::size_t const left = std::max(terminal_columns, taken + narrowest_words) - taken;
   std::vector<std::vector<std::string>> rows;
   for (auto& row : table.rows) {
-    auto const lines = lines_of_words(row.back(), terminal_columns - std::min(taken, terminal_columns / 2));
+    auto const lines = lines_of_words(row.back(), left);
     row.back() = lines.front();
     rows.push_back(std::move(row));
     for (std::size_t k = 1; k < lines.size(); ++k) {
@@ -173,8 +173,8 @@ std::string changes_text(Changes const& changes, CompareOptions const& options) 
   int moved = 0;
   for (MeasureCount const& c : changes.counts) moved += c.within_noise + c.better + c.worse + c.changed;
   if (changes.same_machine && moved > 0)
-    text +=
-        fmt::format("The same build on the same machine: {} of them should have repeated exactly.\n", moved);
+    text += fmt::format(
+        "The same build on the same machine: {} numbers and words should have repeated exactly.\n", moved);
   text += "\n";
   if (changes.in_both == 0) return text;
   text += counts_text(changes, options);

@@ -1,11 +1,11 @@
 #include <unistd.h>
 
-#include <filesystem>
 #include <memory>
 
 #include "harness/cli/commands.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/compare.hpp"
+#include "reports/table/document_names.hpp"
 
 namespace sphverify {
 
@@ -18,10 +18,12 @@ struct CompareCommand {
 };
 
 void compare_documents(CompareCommand const& command) {
+  if (command.options.section == "changes" && command.documents.size() < 2)
+    throw UserError("compare", "--section", "changes of one document", "two documents or more");
+  std::vector<std::string> const names = document_names(command.documents);
   std::vector<NamedResults> documents;
-  for (std::string const& path : command.documents) {
-    documents.push_back({std::filesystem::path(path).stem().string(), read_results(path)});
-  }
+  for (std::size_t k = 0; k < names.size(); ++k)
+    documents.push_back({names[k], read_results(command.documents[k])});
   CompareOptions options = command.options;
   options.format = command.format == "markdown" ? TableFormat::markdown
                    : command.format == "csv"    ? TableFormat::csv
@@ -45,7 +47,13 @@ void add_compare(CLI::App& app) {
   sub->add_option("--norm", command->options.norm,
                   "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
       ->check(CLI::IsMember({"l1", "l2", "linf"}));
-  sub->footer("Example: sphverify compare results.json --region wall --norm linf");
+  sub->add_option("--section", command->options.section,
+                  "series, envelopes or changes (of every document against the first); default: all, of csv "
+                  "series; json always holds all")
+      ->check(CLI::IsMember({"series", "envelopes", "changes"}));
+  sub->footer(
+      "Examples: sphverify compare results.json --region wall --norm linf\n"
+      "          sphverify compare before.json after.json --section changes");
   sub->callback([command] { compare_documents(*command); });
 }
 

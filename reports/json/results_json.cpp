@@ -254,12 +254,12 @@ Json to_json(Series const& s) {
   return json;
 }
 
+}  // namespace
+
 Json to_json(Context const& c) {
   return {{"version", c.version},     {"commit", c.commit}, {"compiler", c.compiler}, {"flags", c.flags},
           {"processor", c.processor}, {"cores", c.cores},   {"date", c.date}};
 }
-
-}  // namespace
 
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {
   Json json = Json::object();

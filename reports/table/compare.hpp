@@ -11,7 +11,8 @@ namespace sphverify {
 struct CompareOptions {
   TableFormat format = TableFormat::table;
   std::string region = "all";
-  std::string norm;  ///< empty: l1 where the solution jumps, l2 elsewhere
+  std::string norm;     ///< empty: l1 where the solution jumps, l2 elsewhere
+  std::string section;  ///< series, envelopes or changes; empty: all (of CSV: series if there are any)
   bool colour = false;
 };
 
@@ -21,9 +22,10 @@ struct NamedResults {
   Results results;
 };
 
-/// Formulations side by side. On a terminal and in Markdown: per case one table of errors with orders and
-/// verdicts, one of the flux through the walls, one of the time to 1%, and a summary over all cases; in CSV
-/// and JSON one row per series with all numbers.
+/// Formulations side by side. On a terminal and in Markdown: per case tables of errors with orders and
+/// verdicts, of wall fluxes, budgets and stability, of the time to 1%; a summary over all cases; envelopes;
+/// and of several documents what changed since the first. In CSV a row per series, envelope or change with
+/// all numbers, in JSON all of these.
 std::string compare(std::vector<NamedResults> const& documents, CompareOptions const& options);
 
 }  // namespace sphverify

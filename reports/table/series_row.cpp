@@ -1,11 +1,11 @@
 #include "reports/table/series_row.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "reports/norm_of.hpp"
 
@@ -16,27 +16,48 @@ namespace {
 /// The field that a case is about.
 constexpr std::array<char const*, 4> leading_fields{"temperature", "velocity", "acceleration", "heating"};
 
-std::string parameters_text(std::map<std::string, ParameterValue> const& parameters) {
-  std::vector<std::string> parts;
-  for (auto const& [name, value] : parameters) {
-    if (auto const* number = std::get_if<double>(&value))
-      parts.push_back(fmt::format("{}={:g}", name, *number));
-    if (auto const* word = std::get_if<std::string>(&value))
-      parts.push_back(fmt::format("{}={}", name, *word));
-    if (auto const* list = std::get_if<std::vector<double>>(&value))
-      parts.push_back(fmt::format("{}={}", name, *list));
-    if (auto const* table = std::get_if<std::vector<std::vector<double>>>(&value)) {
-      parts.push_back(fmt::format("{}={}", name, *table));
-    }
-  }
-  return fmt::format("{}", fmt::join(parts, " "));
-}
-
 void raise(Number& largest, double value) { largest = std::max(largest.value_or(value), value); }
 
 /// Keeps the one that is furthest from 0, with its sign.
 void worsen(Number& worst, Number const& value) {
   if (value && (!worst || std::abs(*value) > std::abs(*worst))) worst = value;
+}
+
+/// What sums of terms of that size, taken anew at every step, can be off by rounding: 64 epsilon as for
+/// errors, growing as a random walk does.
+double rounding_of(double size, RunRecord const& run) {
+  double const steps = run.cost ? static_cast<double>(run.cost->steps) : 1.0;
+  return 64.0 * std::numeric_limits<double>::epsilon() * std::sqrt(std::max(steps, 1.0)) * size;
+}
+
+void read_energy(RunRecord const& run, SeriesRow& row) {
+  auto const found = run.conservation.find("energy");
+  if (found == run.conservation.end()) return;
+  Budget const& b = found->second;
+  double const size = std::max(std::abs(b.initial), std::abs(b.final));
+  double const scale = size > 0.0 ? size : 1.0;
+  raise(row.energy_drift, std::abs(b.drift) / scale);
+  raise(row.energy_rounding, rounding_of(std::max(size, std::abs(b.exchanged)), run) / scale);
+  if (b.pair_drift) {
+    worsen(row.energy_pair_drift, *b.pair_drift / scale);
+    worsen(row.energy_step_drift, (b.drift - *b.pair_drift) / scale);
+  }
+  if (b.wall_budget_defect) raise(row.wall_budget_defect, std::abs(*b.wall_budget_defect) / scale);
+}
+
+/// @param prescribed largest impulse that a wall prescribes
+void read_momentum(RunRecord const& run, double prescribed, SeriesRow& row) {
+  auto const mass = run.conservation.find("mass");
+  auto const energy = run.conservation.find("energy");
+  if (run.momentum.empty() || mass == run.conservation.end() || energy == run.conservation.end()) return;
+  double const thermal = std::sqrt(2.0 * std::abs(mass->second.initial * energy->second.initial));
+  double const scale = prescribed > 0.0 ? prescribed : thermal;
+  if (scale == 0.0) return;
+  for (Budget const& momentum : run.momentum) {
+    worsen(row.momentum_drift, momentum.drift / scale);
+    if (momentum.pair_drift) worsen(row.momentum_pair_drift, *momentum.pair_drift / scale);
+  }
+  raise(row.momentum_rounding, rounding_of(std::max(prescribed, thermal), run) / scale);
 }
 
 void read_motion(RunRecord const& run, SeriesRow& row) {
@@ -54,9 +75,50 @@ void read_motion(RunRecord const& run, SeriesRow& row) {
     scale = std::max(scale, std::abs(wall.prescribed_impulse[0]));
     defect = std::max(defect, std::abs(wall.impulse[0] - wall.prescribed_impulse[0]));
   }
-  if (scale == 0.0) return;
-  worsen(row.wall_impulse_defect, defect / scale);
-  for (Budget const& momentum : run.momentum) worsen(row.momentum_drift, momentum.drift / scale);
+  read_momentum(run, scale, row);
+  if (scale > 0.0) worsen(row.wall_impulse_defect, defect / scale);
+}
+
+/// Whether a method can step less far than with another spectrum; what has no stable step can least.
+bool is_shorter(StableStep const& a, StableStep const& b) {
+  auto const length = [](StableStep const& s) { return s.measured ? *s.measured : s.theory.value_or(0.0); };
+  return length(a) < length(b);
+}
+
+void read_stability(RunRecord const& run, SeriesRow& row) {
+  if (!run.stability) return;
+  Stability const& s = *run.stability;
+  if (!row.stability) {
+    row.stability = s;
+    return;
+  }
+  Stability& worst = *row.stability;
+  if (s.spectral_abscissa) raise(worst.spectral_abscissa, *s.spectral_abscissa);
+  if (s.spectral_radius) raise(worst.spectral_radius, *s.spectral_radius);
+  worst.growing_modes = std::max(worst.growing_modes, s.growing_modes);
+  worst.unseen_modes = std::max(worst.unseen_modes, s.unseen_modes);
+  for (auto const& [method, step] : s.stable_steps) {
+    auto const [place, is_new] = worst.stable_steps.emplace(method, step);
+    if (!is_new && is_shorter(step, place->second)) place->second = step;
+  }
+}
+
+void read_second_law(RunRecord const& run, SeriesRow& row) {
+  if (!run.second_law) return;
+  SecondLaw const& s = *run.second_law;
+  if (!row.second_law) {
+    row.second_law = s;
+    return;
+  }
+  SecondLaw& worst = *row.second_law;
+  for (Breach SecondLaw::*const breach :
+       {&SecondLaw::overshoot, &SecondLaw::undershoot, &SecondLaw::cold_to_hot}) {
+    if ((s.*breach).size > (worst.*breach).size) worst.*breach = s.*breach;
+  }
+  if (s.smallest_entropy_production &&
+      s.smallest_entropy_production < worst.smallest_entropy_production.value_or(INFINITY)) {
+    worst.smallest_entropy_production = s.smallest_entropy_production;
+  }
 }
 
 /// Empty if there are none, or one of them is empty.
@@ -72,7 +134,6 @@ Number mean_of(std::vector<Cost const*> const& costs, TimeOf const& time_of) {
 }
 
 void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesRow& row) {
-  for (std::size_t const index : series.runs) row.finest = std::max(row.finest, runs[index].resolution);
   std::string status;
   int members = 0;
   int failed = 0;
@@ -85,6 +146,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
     if (run.cost && run.cost->busy) row.busy = std::min(row.busy.value_or(*run.cost->busy), *run.cost->busy);
     if (run.resolution != row.finest) continue;
     ++members;
+    read_stability(run, row);  // what fails has the most to say
     if (run.status != "ok") {
       ++failed;
       status = run.status;
@@ -96,15 +158,8 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       if (wall.scale > 0.0) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
       row.heat_crosses_walls = row.heat_crosses_walls || std::abs(wall.exact) > 1e-9 * wall.scale;
     }
-    if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
-      Budget const& b = energy->second;
-      double const scale = std::max(std::abs(b.initial), std::abs(b.final));
-      raise(row.energy_drift, std::abs(b.drift) / (scale > 0.0 ? scale : 1.0));
-      if (b.pair_drift) worsen(row.energy_pair_drift, *b.pair_drift / (scale > 0.0 ? scale : 1.0));
-      if (b.wall_budget_defect) {
-        raise(row.wall_budget_defect, std::abs(*b.wall_budget_defect) / (scale > 0.0 ? scale : 1.0));
-      }
-    }
+    read_energy(run, row);
+    read_second_law(run, row);
   }
   row.seconds = mean_of(timed, [](Cost const& c) { return Number(c.seconds); });
   for (Number MedianSeconds::*const part :
@@ -133,7 +188,9 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
   if (entry->observed.lower && entry->observed.upper) {
     row.half_width = 0.5 * (*entry->observed.upper - *entry->observed.lower);
   }
-  if (!entry->levels.empty()) row.error = entry->levels.back().error;
+  for (SeriesLevel const& level : entry->levels) {
+    if (level.resolution == row.finest) row.error = level.error;
+  }
   for (std::size_t const index : series.runs) {
     auto const field = runs[index].errors.find(entry->field);
     if (!row.error || runs[index].resolution != row.finest || field == runs[index].errors.end()) continue;
@@ -151,26 +208,32 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
 
 }  // namespace
 
+SeriesRow series_row(NamedResults const& document, Series const& series, std::string const& region,
+                     std::string const& norm, std::optional<int> resolution) {
+  std::vector<RunRecord> const& runs = document.results.runs;
+  SeriesRow row;
+  row.document = document.name;
+  row.case_id = series.case_id;
+  row.parameters = parameters_text(series.parameters);
+  row.formulation = series.label;
+  row.choice = series.formulation;
+  row.discretisation = series.discretisation;
+  row.smoothing_exponent = series.smoothing_exponent;
+  for (std::size_t const index : series.runs) row.finest = std::max(row.finest, runs[index].resolution);
+  row.finest = resolution.value_or(row.finest);
+  read_runs(series, runs, row);
+  row.discontinuous = series.discontinuous;
+  std::string const by_case = series.discontinuous ? "l1" : "l2";
+  read_order(series, runs, region, norm.empty() ? by_case : norm, row);
+  return row;
+}
+
 std::vector<SeriesRow> series_rows(std::vector<NamedResults> const& documents, std::string const& region,
                                    std::string const& norm) {
   std::vector<SeriesRow> rows;
   for (NamedResults const& document : documents) {
-    for (Series const& series : document.results.series) {
-      SeriesRow row;
-      row.document = document.name;
-      row.case_id = series.case_id;
-      row.parameters = parameters_text(series.parameters);
-      row.formulation = series.label;
-      row.walls = series.formulation.walls;
-      row.choice = series.formulation;
-      row.discretisation = series.discretisation;
-      row.smoothing_exponent = series.smoothing_exponent;
-      read_runs(series, document.results.runs, row);
-      row.discontinuous = series.discontinuous;
-      std::string const by_case = series.discontinuous ? "l1" : "l2";
-      read_order(series, document.results.runs, region, norm.empty() ? by_case : norm, row);
-      rows.push_back(std::move(row));
-    }
+    for (Series const& series : document.results.series)
+      rows.push_back(series_row(document, series, region, norm));
   }
   return rows;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "reports/table/compare.hpp"
+#include "reports/table/setting.hpp"
 
 namespace sphverify {
 
@@ -14,18 +16,18 @@ struct TimeToTarget {
   bool is_bound = false;  ///< the coarsest level reached it already
 };
 
+/// Methods whose stable steps are reported, as documents name them.
+inline constexpr std::array<char const*, 5> stable_step_methods{
+    "explicit-euler", "heun", "classical-runge-kutta", "runge-kutta", "leapfrog"};
+
 /// One series, reduced to what the tables show.
-struct SeriesRow {
-  std::string document, case_id, parameters, formulation;
-  bool walls;
-  FormulationChoice choice;
-  Discretisation discretisation;
-  double smoothing_exponent;
+struct SeriesRow : Setting {
+  std::string case_id, parameters, formulation;
 
   std::string field;  ///< the one whose error is shown
   std::string norm;   ///< of it
   bool discontinuous = false;
-  int finest = 0;         ///< resolution
+  int finest = 0;         ///< resolution of the level that is shown
   Number error;           ///< at the finest level, absolute
   Number relative_error;  ///< to the same norm of the exact field
   Number order, half_width;
@@ -47,10 +49,23 @@ struct SeriesRow {
   Number shock_position_error;  ///< [m]
   Number wall_heating;          ///< relative error of the internal energy nearest a wall
   Number wall_impulse_defect;   ///< of the largest impulse that a wall prescribes
-  Number momentum_drift;        ///< of the same
+  Number momentum_drift;        ///< of the same; where walls prescribe none, of sqrt(2 mass energy), which no
+                                ///< momentum of that gas exceeds
   Number energy_pair_drift;     ///< of the energy
   Number energy_routes;         ///< relative difference between the two work forms
+
+  // Drifts, taken apart, the worst at the finest level.
+  Number energy_step_drift;                   ///< what time stepping left, of the energy
+  Number momentum_pair_drift;                 ///< what pairs created, of the momentum's scale
+  Number energy_rounding, momentum_rounding;  ///< up to where a drift says nothing
+
+  std::optional<Stability> stability;   ///< worst of the finest level: the most growth, the shortest steps
+  std::optional<SecondLaw> second_law;  ///< the same: the largest breaches, the smallest entropy production
 };
+
+/// One series of a document, at its finest level or at that of a resolution.
+SeriesRow series_row(NamedResults const& document, Series const& series, std::string const& region,
+                     std::string const& norm, std::optional<int> resolution = std::nullopt);
 
 /// The rows of all documents, in their order.
 /// @param norm empty: l1 where the solution jumps, else l2

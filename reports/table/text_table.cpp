@@ -5,18 +5,14 @@
 
 #include <algorithm>
 
+#include "reports/table/number_text.hpp"
+
 namespace sphverify {
 
 namespace {
 
-/// Columns on a terminal that a UTF-8 text takes: its code points.
-std::size_t width_of(std::string const& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
 std::string padded(std::string const& text, std::size_t width) {
-  return text + std::string(width - std::min(width, width_of(text)), ' ');
+  return text + std::string(width - std::min(width, text_width(text)), ' ');
 }
 
 bool is_best(TextTable const& table, std::size_t row, std::size_t column) {
@@ -27,27 +23,54 @@ std::string marked(TextTable const& table, std::size_t row, std::size_t column) 
   return table.rows[row][column] + (is_best(table, row, column) ? "*" : "");
 }
 
+/// The columns in blocks that fit a terminal; each begins with the labels.
+std::vector<std::vector<std::size_t>> blocks_of(TextTable const& table,
+                                                std::vector<std::size_t> const& width) {
+  std::vector<std::size_t> labels;
+  std::size_t label_width = 0;  // with the gaps behind them
+  for (std::size_t c = 0; c < table.label_columns; ++c) {
+    labels.push_back(c);
+    label_width += width[c] + 2;
+  }
+  std::vector<std::vector<std::size_t>> blocks{labels};
+  std::size_t taken = label_width;
+  for (std::size_t c = table.label_columns; c < width.size(); ++c) {
+    if (taken + width[c] > terminal_columns && blocks.back().size() > labels.size()) {
+      blocks.push_back(labels);
+      taken = label_width;
+    }
+    blocks.back().push_back(c);
+    taken += width[c] + 2;
+  }
+  return blocks;
+}
+
 std::string render_terminal(TextTable const& table, bool colour) {
   std::vector<std::size_t> width;
-  for (std::string const& name : table.header) width.push_back(width_of(name));
+  for (std::string const& name : table.header) width.push_back(text_width(name));
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     for (std::size_t c = 0; c < table.rows[r].size(); ++c)
-      width[c] = std::max(width[c], width_of(marked(table, r, c)));
+      width[c] = std::max(width[c], text_width(marked(table, r, c)));
   }
   std::string text = table.title + "\n";
-  auto const line = [&](auto const& cell) {
+  auto const line = [&](std::vector<std::size_t> const& columns, auto const& cell) {
     std::string row;
-    for (std::size_t c = 0; c < width.size(); ++c) row += (c == 0 ? "" : "  ") + cell(c);
+    for (std::size_t const c : columns) row += (c == 0 ? "" : "  ") + cell(c);
     while (row.ends_with(' ')) row.pop_back();
     text += row + "\n";
   };
-  line([&](std::size_t c) { return padded(table.header[c], width[c]); });
-  line([&](std::size_t c) { return std::string(width[c], '-'); });
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    line([&](std::size_t c) {
-      std::string const cell = padded(marked(table, r, c), width[c]);
-      return colour && is_best(table, r, c) ? "\x1b[1;32m" + cell + "\x1b[0m" : cell;
-    });
+  bool is_first = true;
+  for (auto const& columns : blocks_of(table, width)) {
+    if (!is_first) text += "\n";
+    is_first = false;
+    line(columns, [&](std::size_t c) { return padded(table.header[c], width[c]); });
+    line(columns, [&](std::size_t c) { return std::string(width[c], '-'); });
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      line(columns, [&](std::size_t c) {
+        std::string const cell = padded(marked(table, r, c), width[c]);
+        return colour && is_best(table, r, c) ? "\x1b[1;32m" + cell + "\x1b[0m" : cell;
+      });
+    }
   }
   return text;
 }

@@ -33,7 +33,8 @@ class TimeTable {
   /// Whether any of the rows ever got there.
   bool is_empty() const { return fastest_.empty(); }
 
-  /// "2.4 (1.9-3.1)" or "1.09±0.05", with a "~" if 1 lies inside. What the coarsest level reached already is at most that
+  /// "2.4 (1.9-3.1)" or "1.09±0.05", with a "~" if 1 lies inside. What the coarsest level reached already is
+  /// at most that
   /// ("<="), and the others are at least what they are of such a fastest (">=").
   Entry entry(SeriesRow const& row) const;
 

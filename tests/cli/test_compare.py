@@ -150,6 +150,82 @@ class Compare(ProgramTest):
         rows = strict_json(self.succeed(*arguments, "--format", "json"))["series"]
         self.assertEqual([row["results"] for row in rows], ["first", "second"])
 
+    def test_files_of_one_name_are_told_apart_by_their_folders(self):
+        for folder in ("old", "new"):
+            (self.folder / folder).mkdir()
+            self.study(small_study(), "results.json")
+            (self.folder / "results.json").rename(self.folder / folder / "results.json")
+        text = self.succeed("compare", "old/results.json", "new/results.json")
+        self.assertIn("What changed: new/results against old/results", text)
+
+    def test_a_study_run_twice_repeats_exactly_and_times_are_not_compared(self):
+        self.study(small_study(repeat=1), "first.json")
+        self.study(small_study(repeat=1), "second.json")
+        arguments = ("compare", self.folder / "first.json", self.folder / "second.json", "--section", "changes")
+        text = self.succeed(*arguments)
+        self.assertIn("Nothing changed beyond noise", text)
+        self.assertNotIn("seconds", text)
+        document = strict_json(self.succeed(*arguments, "--format", "json"))
+        self.assert_valid("sphverify-comparison-1", document)
+        for count in document["changes"][0]["counts"]:
+            self.assertEqual(count["same"], 1, count)
+
+    def test_an_error_three_times_as_large_is_a_change_for_the_worse(self):
+        before = self.study(small_study(), "before.json")
+        for order in before["series"][0]["orders"]:
+            for level in order["levels"]:
+                if level["error"] is not None:
+                    level["error"] /= 3
+        self.write("before.json", before)
+        self.study(small_study(), "after.json")
+        arguments = ("compare", self.folder / "before.json", self.folder / "after.json", "--section", "changes")
+        change = strict_json(self.succeed(*arguments, "--format", "json"))["changes"][0]["changes"][0]
+        self.assertEqual((change["measure"], change["direction"]), ("error", "worse"))
+        self.assertAlmostEqual(change["after"] / change["before"], 3)
+        rows = list(csv.DictReader(io.StringIO(self.succeed(*arguments, "--format", "csv"))))
+        self.assertEqual(float(rows[0]["after"]), change["after"])
+        for name in ("table", "markdown"):
+            self.assertIn("x3", self.succeed(*arguments, "--format", name))
+
+    def test_changes_of_one_document_are_refused(self):
+        result = self.run_program("compare", self.results, "--section", "changes")
+        self.assert_user_error(result, "--section", "two documents")
+
+    def test_envelopes_are_shown_in_every_format(self):
+        envelope = {"parameter": "smoothing_ratio", "from": 1.2, "to": 0.5, "bisections": 3}
+        self.study(
+            small_study(
+                cases="conduction/slab-dirichlet",
+                formulations=SCHEMES,
+                envelope=envelope,
+                resolution=40,
+                measure="error",
+            ),
+            "limits.json",
+        )
+        limits = self.folder / "limits.json"
+        for name in ("table", "markdown"):
+            text = self.succeed("compare", limits, "--format", name)
+            self.assertIn("smoothing_ratio", text)
+            self.assertIn("unstable", text)
+            self.assertIn("held to", text)
+        document = strict_json(self.succeed("compare", limits, "--format", "json"))
+        self.assert_valid("sphverify-comparison-1", document)
+        rows = list(csv.DictReader(io.StringIO(self.succeed("compare", limits, "--format", "csv"))))
+        self.assertEqual([row["formulation"] for row in rows], SCHEMES)
+        self.assertEqual([float(row["held"]) for row in rows], [e["held"] for e in document["envelopes"]])
+
+    def test_stability_and_the_second_law_have_tables_where_they_were_measured(self):
+        self.assertNotIn("second law", self.compare())
+        study = small_study(measure=["error", "stability", "stable-step", "second-law"], formulations=SCHEMES)
+        self.study(study, "stability.json")
+        text = self.succeed("compare", self.folder / "stability.json")
+        for word in ("modes of the linearised rate", "longest stable step", "explicit-euler", "second law"):
+            self.assertIn(word, text)
+        self.assertLessEqual(max(map(len, text.splitlines())), WIDEST)
+        document = strict_json(self.succeed("compare", self.folder / "stability.json", "--format", "json"))
+        self.assert_valid("sphverify-comparison-1", document)
+
     def test_a_study_without_runs_is_still_a_document_in_every_format(self):
         self.study(small_study(formulations=["momentum/p-rho2"]), "nothing.json")
         nothing = self.folder / "nothing.json"

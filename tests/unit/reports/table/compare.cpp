@@ -229,6 +229,179 @@ BOOST_AUTO_TEST_CASE(two_documents_are_told_apart) {
   BOOST_TEST(text.find("new.json") != std::string::npos);
 }
 
+/// `typical` with budgets: what pairs created, and what was left by rounding.
+Results with_budgets(double created) {
+  Results results = typical();
+  for (RunRecord& run : results.runs) {
+    double const pairs = run.formulation.id == "conduction/lucy-flux" ? created : 1e-17;
+    run.conservation["energy"] = {1.0, 1.0, 0.0, pairs + 1e-16, pairs, {}};
+  }
+  results.series = build_series(results.runs);
+  return results;
+}
+
+BOOST_AUTO_TEST_CASE(what_pairs_created_is_told_from_rounding) {
+  std::string text = table_of(with_budgets(0.25), TableFormat::table);
+  std::size_t const at = text.find("energy created by pairs");
+  BOOST_REQUIRE(at != std::string::npos);
+  text = text.substr(at);
+  BOOST_TEST(row(text, "brookshaw ").find("rounding / rounding*") != std::string::npos, text);
+  BOOST_TEST(row(text, "lucy-flux ").find("25% / rounding ") != std::string::npos, text);
+  BOOST_TEST(row(text, "campbell-flux ").find("unstable 1/1") != std::string::npos, text);
+  BOOST_TEST(table_of(typical(), TableFormat::table).find("energy created") == std::string::npos);
+}
+
+/// A gas of mass 1 and energy 1/2 that gained momentum; a wall prescribes an impulse of that size, or there
+/// is none.
+Results gas(double drift, Number prescribed) {
+  RunRecord run;
+  run.case_id = "hydro/uniform";
+  run.formulation.id = run.label = "momentum/p-rho2";
+  run.resolution = 10;
+  run.spacing = 0.1;
+  run.errors["velocity"]["all"] = {{1e-3, 1e-3, 1e-3}, {1.0, 1.0, 1.0}, 1e-15};
+  run.conservation["mass"] = {1.0, 1.0, 0.0, 0.0, {}, {}};
+  run.conservation["energy"] = {0.5, 0.5, 0.0, 0.0, 0.0, {}};
+  run.momentum = {{0.0, drift, 0.0, drift, drift, {}}};
+  if (prescribed) run.wall_budgets = {{{0.0}, {*prescribed}, {*prescribed}, 0.0, 0.0, 0.0}};
+  Results results;
+  results.runs = {run};
+  results.series = build_series(results.runs);
+  return results;
+}
+
+BOOST_AUTO_TEST_CASE(momentum_is_relative_to_a_wall_s_impulse_or_else_to_what_the_gas_could_have) {
+  auto const shown = [](Results const& results) {
+    std::string const text = table_of(results, TableFormat::table);
+    return row(text.substr(text.find("momentum created")), "p-rho2 ");
+  };
+  BOOST_TEST(shown(gas(0.1, 0.4)).find("25%") != std::string::npos);
+  BOOST_TEST(shown(gas(0.1, std::nullopt)).find("10%") != std::string::npos);  // of sqrt(2 mass energy) = 1
+  BOOST_TEST(shown(gas(1e-15, 0.4)).find("rounding") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(stability_and_the_second_law_show_the_worst_of_the_seeds) {
+  Results results;
+  for (std::uint64_t const seed : {1u, 2u}) {
+    add_ladder(results.runs, "conduction/lucy-flux", true, {"jittered", 0.1, seed}, 0.0, 1e-3, 2.0);
+    RunRecord& run = results.runs.back();
+    double const size = static_cast<double>(seed);
+    Stability& stability = run.stability.emplace();
+    stability.spectral_abscissa = -1.0 / size;
+    stability.spectral_radius = 100.0;
+    stability.growing_modes = seed - 1;
+    stability.stable_steps["heun"] = {0.02 / size, 0.021 / size, ""};
+    stability.stable_steps["explicit-euler"] = {std::nullopt, std::nullopt,
+                                                "no step is stable: a mode grows"};
+    run.second_law = SecondLaw{{0.0, 0.0, {}}, {0.0, 0.0, {}}, {0.1 * size, 0.0, {}}, -0.3 * size, ""};
+  }
+  results.series = build_series(results.runs);
+  std::string const text = table_of(results, TableFormat::table);
+  std::string const modes = text.substr(text.find("modes of the linearised rate"));
+  BOOST_TEST(row(modes, "lucy-flux ").find("1              -             -5.0e-1") != std::string::npos,
+             modes);
+  std::string const steps = text.substr(text.find("longest stable step"));
+  BOOST_TEST(row(steps, "lucy-flux ").find("none            1.1e-2") != std::string::npos, steps);
+  BOOST_TEST(steps.find("leapfrog") == std::string::npos, steps);
+  std::string const law = text.substr(text.find("second law"));
+  BOOST_TEST(row(law, "lucy-flux ").find("20%") != std::string::npos, law);
+  BOOST_TEST(row(law, "lucy-flux ").find("-60%") != std::string::npos, law);
+  Json const entry = Json::parse(table_of(results, TableFormat::json)).at("series")[0];
+  BOOST_TEST(entry.at("stable_step_heun") == 0.0105);
+  BOOST_TEST(entry.at("stable_step_explicit_euler").is_null());
+  BOOST_TEST(entry.at("growing_modes") == 1);
+  BOOST_TEST(entry.at("cold_to_hot") == 0.2);
+}
+
+BOOST_AUTO_TEST_CASE(tables_of_many_layouts_fit_into_100_columns) {
+  Results results;
+  for (double const amplitude : {0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4}) {
+    for (double const exponent : {0.0, 0.25, 0.5})
+      add_ladder(results.runs, "conduction/brookshaw", true, {"jittered", amplitude, 1}, exponent, 1e-3, 2.0);
+  }
+  results.series = build_series(results.runs);
+  std::string const text = table_of(results, TableFormat::table);
+  for (std::string const& line : lines_of(text)) BOOST_TEST(width_of(line) <= 100u, line);
+  BOOST_TEST(text.find("jitter 0.4 q=0.5") != std::string::npos);
+}
+
+std::string changes_from(Results const& before, Results const& after, TableFormat format) {
+  CompareOptions options;
+  options.format = format;
+  options.section = "changes";
+  return compare({{"before", before}, {"after", after}}, options);
+}
+
+BOOST_AUTO_TEST_CASE(what_changed_is_counted_and_listed_from_the_largest_within_100_columns) {
+  Results after = typical();
+  for (RunRecord& run : after.runs) {
+    if (run.formulation.id != "conduction/lucy-flux" || run.resolution != 100) continue;
+    NormSet& e = run.errors["temperature"]["all"].error;
+    e.l2 *= run.smoothing_exponent == 0.0 ? 4.0 : 1.5;
+  }
+  after.series = build_series(after.runs);
+  std::string const text = changes_from(typical(), after, TableFormat::table);
+  for (std::string const& line : lines_of(text)) BOOST_TEST(width_of(line) <= 100u, line);
+  BOOST_TEST(text.find("What changed: after against before") != std::string::npos);
+  BOOST_TEST(text.find("24 series in both") != std::string::npos, text);
+  std::size_t const largest = text.find("x4");
+  std::size_t const smaller = text.find("+50%");
+  BOOST_TEST(largest != std::string::npos, text);
+  BOOST_TEST(largest < smaller);
+  BOOST_TEST(text.find("lucy-flux (off)") != std::string::npos);
+  BOOST_TEST(changes_from(typical(), typical(), TableFormat::table).find("Nothing changed beyond noise") !=
+             std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(long_lists_of_changes_are_cut_on_a_terminal_and_whole_for_programs) {
+  Results after = typical();
+  for (RunRecord& run : after.runs) {
+    for (auto& [field, regions] : run.errors) regions["all"].error.l2 *= 2.0;
+  }
+  after.series = build_series(after.runs);
+  std::string const text = changes_from(typical(), after, TableFormat::table);
+  BOOST_TEST(text.find(" more: --section changes --format csv") == std::string::npos, text);
+  Json const json = Json::parse(changes_from(typical(), after, TableFormat::json));
+  auto const& changes = json.at("changes")[0].at("changes");
+  BOOST_TEST(changes.size() == 20u);  // four of 24 fail in both
+  BOOST_TEST(json.at("documents")[1].at("name") == "after");
+  auto const lines = lines_of(changes_from(typical(), after, TableFormat::csv));
+  BOOST_TEST(lines.size() == 21u);
+  for (LayoutChoice const& layout : {LayoutChoice{"hexagonal"}, LayoutChoice{"close-packed"}})
+    add_ladder(after.runs, "conduction/brookshaw", true, layout, 0.0, 2e-3, 2.0);
+  Results before = typical();
+  for (LayoutChoice const& layout : {LayoutChoice{"hexagonal"}, LayoutChoice{"close-packed"}})
+    add_ladder(before.runs, "conduction/brookshaw", true, layout, 0.0, 1e-3, 2.0);
+  before.series = build_series(before.runs);
+  after.series = build_series(after.runs);
+  std::string const longer = changes_from(before, after, TableFormat::table);
+  BOOST_TEST(longer.find("and 2 more: --section changes --format csv") != std::string::npos, longer);
+}
+
+BOOST_AUTO_TEST_CASE(documents_of_other_resolutions_do_not_share_a_table) {
+  Results coarse = typical();
+  std::erase_if(coarse.runs, [](RunRecord const& run) { return run.resolution == 100; });
+  coarse.series = build_series(coarse.runs);
+  std::string const text = compare({{"fine", typical()}, {"coarse", coarse}}, {});
+  BOOST_TEST(text.find("N = 100: order or verdict") != std::string::npos);
+  BOOST_TEST(text.find("N = 50: order or verdict") != std::string::npos);
+}
+
+BOOST_AUTO_TEST_CASE(csv_of_envelopes_alone_is_of_envelopes) {
+  Results results;
+  Envelope envelope;
+  envelope.case_id = "conduction/slab-dirichlet";
+  envelope.formulation.id = "conduction/brookshaw";
+  envelope.parameter = "amplitude";
+  envelope.held = 0.25;
+  results.envelopes = {envelope};
+  BOOST_TEST(table_of(results, TableFormat::csv).find("amplitude") != std::string::npos);
+  BOOST_TEST(table_of(results, TableFormat::table).find("How far amplitude could be driven") !=
+             std::string::npos);
+  BOOST_TEST(table_of(results, TableFormat::markdown).find("| 0.25 |") != std::string::npos);
+  BOOST_TEST(Json::parse(table_of(results, TableFormat::json)).at("envelopes").size() == 1u);
+}
+
 BOOST_AUTO_TEST_CASE(a_study_that_ran_nothing_says_so) {
   for (TableFormat const format : {TableFormat::table, TableFormat::markdown})
     BOOST_TEST(table_of(Results{}, format).find("No series") != std::string::npos);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+/// Columns that a terminal has at the least: what tables keep within.
+inline constexpr std::size_t terminal_columns = 100;
+
+/// 4.9e-3: short enough for a column each. A number that does not exist is "-", one beyond all is "fails".
+std::string scientific(Number const& value);
+
+/// 0.97%, 49%, 1.2e5%; what is rounding is 0%.
+std::string percent(Number const& value);
+
+/// +0.97%, -12%
+std::string signed_percent(double value);
+
+/// Columns on a terminal that a UTF-8 text takes: its code points.
+std::size_t text_width(std::string const& text);
+
+/// Words in lines of at most so many columns; a longer word stands alone.
+std::vector<std::string> lines_of_words(std::string const& words, std::size_t columns);
+
+/// Words in lines that fit a terminal, indented.
+std::string indented_lines(std::string const& words);
+
+}  // namespace sphverify

@@ -1,0 +1,135 @@
+#include "reports/table/setting.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace sphverify {
+
+namespace {
+
+/// "brookshaw" for "conduction/brookshaw", "total" for "work/total-energy".
+std::string without_room(std::string const& id) {
+  std::string name = id.substr(id.find('/') + 1);
+  std::string const energy = "-energy";
+  if (name.ends_with(energy)) name.erase(name.size() - energy.size());
+  return name;
+}
+
+std::set<std::string> forms_with_several(std::vector<Setting> const& settings,
+                                         std::string FormulationChoice::*partner) {
+  std::map<std::string, std::set<std::string>> partners;
+  for (Setting const& s : settings) {
+    if (!(s.choice.*partner).empty()) partners[s.choice.id].insert(s.choice.*partner);
+  }
+  std::set<std::string> forms;
+  for (auto const& [id, names] : partners) {
+    if (names.size() > 1) forms.insert(id);
+  }
+  return forms;
+}
+
+}  // namespace
+
+std::string layout_name(LayoutChoice const& layout) {
+  if (layout.id == "jittered") return fmt::format("jitter {:g}", layout.amplitude);
+  bool const has_distance = layout.id == "clumped" || layout.id == "touching";
+  return has_distance ? fmt::format("{} {:g}", layout.id, layout.amplitude) : layout.id;
+}
+
+std::string viscosity_name(ViscosityChoice const& v) {
+  return v == ViscosityChoice{} ? "off" : fmt::format("{:g} {:g}", v.alpha, v.beta);
+}
+
+std::string parameters_text(std::map<std::string, ParameterValue> const& parameters) {
+  std::vector<std::string> parts;
+  for (auto const& [name, value] : parameters) {
+    if (auto const* number = std::get_if<double>(&value))
+      parts.push_back(fmt::format("{}={:g}", name, *number));
+    if (auto const* word = std::get_if<std::string>(&value))
+      parts.push_back(fmt::format("{}={}", name, *word));
+    if (auto const* list = std::get_if<std::vector<double>>(&value))
+      parts.push_back(fmt::format("{}={}", name, *list));
+    if (auto const* table = std::get_if<std::vector<std::vector<double>>>(&value)) {
+      parts.push_back(fmt::format("{}={}", name, *table));
+    }
+  }
+  return fmt::format("{}", fmt::join(parts, " "));
+}
+
+std::vector<std::pair<std::string, std::string>> setting_words(Setting const& setting) {
+  Discretisation const& d = setting.discretisation;
+  return {{"density", d.density},
+          {"layout", layout_name(d.layout)},
+          {"face_weight", d.face_weight},
+          {"closure", d.closure},
+          {"integrator", d.integrator},
+          {"wall_motion", d.wall_motion},
+          {"smoothing", d.smoothing},
+          {"viscosity", viscosity_name(d.viscosity)},
+          {"smoothing_ratio", fmt::format("{:g}", d.smoothing_ratio)},
+          {"smoothing_exponent", fmt::format("{:g}", setting.smoothing_exponent)}};
+}
+
+std::vector<SettingNames::Choice> const& SettingNames::choices() {
+  static std::vector<Choice> const all{
+      {"kernel", [](Setting const& s) { return s.discretisation.kernel; }, false},
+      {"density", [](Setting const& s) { return s.discretisation.density; }, false},
+      {"face weight", [](Setting const& s) { return s.discretisation.face_weight; }, true},
+      {"closure", [](Setting const& s) { return s.discretisation.closure; }, true},
+      {"wall motion", [](Setting const& s) { return s.discretisation.wall_motion; }, true},
+      {"integrator", [](Setting const& s) { return s.discretisation.integrator; }, false},
+      {"smoothing", [](Setting const& s) { return s.discretisation.smoothing; }, false},
+      {"viscosity", [](Setting const& s) { return viscosity_name(s.discretisation.viscosity); }, false},
+      {"results", [](Setting const& s) { return s.document; }, false}};
+  return all;
+}
+
+SettingNames::SettingNames(std::vector<Setting> const& settings)
+    : several_works_(forms_with_several(settings, &FormulationChoice::work)),
+      several_conductions_(forms_with_several(settings, &FormulationChoice::conduction)) {
+  for (Choice const& choice : choices()) {
+    std::set<std::string> values;
+    for (Setting const& s : settings) {
+      if (s.choice.walls || !choice.needs_walls) values.insert(choice.of(s));
+    }
+    if (values.size() > 1) varying_.push_back(choice);
+  }
+  ratio_varies_ = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) {
+    return s.discretisation.smoothing_ratio != settings.front().discretisation.smoothing_ratio;
+  });
+}
+
+std::string SettingNames::formulation(Setting const& setting) const {
+  FormulationChoice const& choice = setting.choice;
+  std::string name = without_room(choice.id);
+  if (!choice.work.empty() && several_works_.contains(choice.id)) name += " + " + without_room(choice.work);
+  if (!choice.conduction.empty() && several_conductions_.contains(choice.id))
+    name += " + " + without_room(choice.conduction);
+  return choice.walls ? name : name + " (off)";
+}
+
+std::vector<std::string> SettingNames::row(Setting const& setting) const {
+  std::vector<std::string> names{formulation(setting)};
+  for (Choice const& choice : varying_) {
+    bool const means_something = setting.choice.walls || !choice.needs_walls;
+    names.push_back(means_something ? choice.of(setting) : "");
+  }
+  return names;
+}
+
+std::vector<std::string> SettingNames::header() const {
+  std::vector<std::string> names{"formulation"};
+  for (Choice const& choice : varying_) names.emplace_back(choice.name);
+  return names;
+}
+
+std::string SettingNames::column(Setting const& setting) const {
+  std::string name = layout_name(setting.discretisation.layout);
+  if (ratio_varies_) name += fmt::format(" {:g}", setting.discretisation.smoothing_ratio);
+  if (setting.smoothing_exponent != 0.0) name += fmt::format(" q={:g}", setting.smoothing_exponent);
+  return name;
+}
+
+}  // namespace sphverify

@@ -191,7 +191,7 @@ BOOST_AUTO_TEST_CASE(stopping_when_the_interval_is_narrow_does_not_make_it_miss_
     for (int t = 0; t < trials; ++t) {
       auto const once = [&]() -> std::optional<Cost> {
         Cost cost;
-        cost.seconds = 1.0 - noise * std::log((draw() + 0.5) / 4294967296.0);
+        cost.seconds = 1.0 - noise * std::log((static_cast<double>(draw()) + 0.5) / 4294967296.0);
         return cost;
       };
       auto const cost =

@@ -52,8 +52,8 @@ void add_compare(CLI::App& app) {
                   "series; json always holds all")
       ->check(CLI::IsMember({"series", "envelopes", "changes"}));
   sub->footer(
-      "Examples: sphverify compare results.json --region wall --norm linf\n"
-      "          sphverify compare before.json after.json --section changes");
+      "Example: sphverify compare results.json --region wall --norm linf\n"
+      "         sphverify compare before.json after.json --section changes");
   sub->callback([command] { compare_documents(*command); });
 }
 

@@ -482,14 +482,6 @@ constexpr auto conductance_or_none() -> void (*)(Row const&, double*) {
     return nullptr;
   }
 }
-template <class Scheme, int Dim>
-constexpr FusedSweep flux_alone() {
-  if constexpr (Scheme::info.two_pass) {
-    return fused<Dim, FluxTerm<Scheme, Dim>>();
-  } else {
-    return {};
-  }
-}
 
 /// What a moving gas sweeps together: pressure and its usual work, with and without viscosity and continuity.
 template <int Dim, class Momentum, class Work>
@@ -505,11 +497,12 @@ template <int Dim, class... Schemes>
 constexpr std::array<FusedSweep, most_fused> all_fused(std::tuple<Schemes...> const*) {
   std::array<FusedSweep, most_fused> all{};
   std::size_t count = 0;
-  auto const put = [&](FusedSweep const& one) {
-    if (one.rows != nullptr) all[count++] = one;
+  auto const put = [&](FusedSweep const& one) { all[count++] = one; };
+  auto const put_flux = [&]<class Scheme>(Scheme const*) {
+    if constexpr (Scheme::info.two_pass) put(fused<Dim, FluxTerm<Scheme, Dim>>());
   };
   (put(fused<Dim, RateTerm<Schemes, Dim>>()), ...);
-  (put(flux_alone<Schemes, Dim>()), ...);
+  (put_flux(static_cast<Schemes const*>(nullptr)), ...);
   put(fused<Dim, DensityTerm<Dim>>());
   put(fused<Dim, ApproachTerm<Dim>>());
   for (FusedSweep const& one : fused_gas<Dim, PressureOverDensitySquared, InternalEnergyWork>()) put(one);

@@ -44,7 +44,8 @@ struct RadiativeCooling {
           false);
       problem.walls[0].heat_loss = HeatLoss{.flux = [exact](double T) { return exact.lost(T); },
                                             .environment = p.number("environment")};
-      prescribe_temperature(problem, problem.walls[1]);
+      problem.walls[1].temperature = problem.scalars.at(Field::temperature);
+      problem.walls[1].conductivity = [conductivity](Vector<Dim> const&, double) { return conductivity; };
       problem.landmarks["wall_temperature"] = [exact](double t) { return exact.wall_temperature(t); };
       problem.final_time = p.number("final_time");
       exact.wall_temperature(problem.final_time);  // complains of times that it does not know

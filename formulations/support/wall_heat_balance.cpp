@@ -11,7 +11,7 @@ namespace sphverify {
 double balanced_wall_temperature(HeatLoss const& loss, double temperature, double conductance) {
   if (!std::isfinite(temperature) || !std::isfinite(loss.flux(temperature)))
     return std::numeric_limits<double>::quiet_NaN();
-  if (!(conductance > 0.0)) return temperature;
+  if (!(conductance > 0.0)) return loss.environment;
   auto const excess = [&](double T) { return conductance * (T - temperature) + loss.flux(T); };
   double const low = std::min(temperature, loss.environment);
   double const high = std::max(temperature, loss.environment);

@@ -11,7 +11,7 @@ namespace sphverify {
 ///
 /// The loss rises with T_B and is zero at the environment's temperature, so that there is one solution and it
 /// lies between that and T. It is found to rounding (TOMS 748).  [K]
-/// @param conductance K/d [W/(m^2 K)]; where it is zero the wall is at the fluid's own temperature
+/// @param conductance K/d [W/(m^2 K)]; where it is zero the wall gets nothing to lose, and is as its environment
 /// NaN where T or the loss at T is not finite.
 double balanced_wall_temperature(HeatLoss const& loss, double temperature, double conductance);
 

@@ -323,7 +323,12 @@ class Measurer {
                               reached(own) ? other->label : m.series->label, gate_.target);
       return;
     }
-    TimeRatio const ratio = *time_ratio(of_target(*own), of_target(*its));
+    std::optional<TimeRatio> const known = time_ratio(of_target(*own), of_target(*its));
+    if (!known) {
+      m.problem = fmt::format("the median run time of {} is zero", other->label);
+      return;
+    }
+    TimeRatio const& ratio = *known;
     m.value = ratio.value;
     put_noise(m, ratio);
     if (!own->is_bound && !its->is_bound) return;

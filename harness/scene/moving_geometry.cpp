@@ -159,7 +159,11 @@ void MovingGeometry<Dim>::adapt_smoothing_length_to_sum(Particles<Dim>& particle
     for (std::size_t i = 0; i < h.size(); ++i) {
       double const own = std::abs(h[i] / before[i] - 1.0);
       change = std::max(change, own);
-      (h[i] > before[i] ? lower[i] : upper[i]) = before[i];
+      if (h[i] > before[i]) {
+        lower[i] = std::max(lower[i], before[i]);
+      } else {
+        upper[i] = std::min(upper[i], before[i]);
+      }
       if (iteration < undamped) continue;
       bool const bisect = iteration >= unbracketed && own >= settled && std::isfinite(upper[i]);
       h[i] = bisect ? 0.5 * (lower[i] + upper[i]) : 0.5 * (h[i] + before[i]);

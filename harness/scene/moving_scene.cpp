@@ -374,7 +374,7 @@ void MovingScene<Dim>::evaluate_rates(double time) {
   for (std::size_t f = 0; f < free_walls_.size(); ++f) {
     WallContacts<Dim> const& contacts = geometry().contacts[free_walls_[f]];
     if (contacts.size() == 0) {
-      // A wall may outrun its gas, into vacuum at once. It does not stop for that.
+      // A wall may outrun its gas, into vacuum at once. It goes on as its closure says.
       Wall<Dim> const& wall = walls_[free_walls_[f]];
       wall_speed_[f] = velocity_out_of_reach(wall, particles_, closure_, time).dot(wall.outward_normal);
       continue;

@@ -9,6 +9,7 @@ function modeRows(view) {
     .map((entry) => ({
       ...entry,
       name: entry.series.name,
+      isKnown: entry.growing !== null || entry.worst !== null,
       wavelength: entry.worst?.wavelength ?? null,
       wallShare: entry.worst?.wallShare ?? null,
       // Of large operators the outermost modes alone are known: none grows, or the worst one says it.
@@ -20,13 +21,19 @@ function modeSection(view) {
   const rows = modeRows(view);
   if (rows.length === 0) return null;
   const sentences = [...d3.group(rows, (row) => row.name)].map(([name, own]) => {
-    const growing = own.filter((row) => row.grows);
-    if (growing.length === 0) return ["good", `${name}: no mode grows in ${plural(own.length, "run")}.`];
+    const known = own.filter((row) => row.isKnown);
+    const unknown = own.find((row) => !row.isKnown);
+    const why = unknown?.remark ? `: ${unknown.remark}` : "";
+    if (known.length === 0) return ["", `${name}: not known${why}.`];
+    const rest = unknown ? ` Not known of ${own.length - known.length}${why}.` : "";
+    const growing = known.filter((row) => row.grows);
+    if (growing.length === 0)
+      return ["good", `${name}: no mode grows in ${plural(known.length, "run")}.${rest}`];
     const worst = d3.greatest(growing, (row) => row.worst?.growth);
     return [
       "bad",
-      `${name}: modes grow in ${growing.length} of ${plural(own.length, "run")}, fastest at ` +
-        `${formatNumber(worst.worst?.growth)}/s in waves of ${formatNumber(worst.wavelength)} dx.`,
+      `${name}: modes grow in ${growing.length} of ${plural(known.length, "run")}, fastest at ` +
+        `${formatNumber(worst.worst?.growth)}/s in waves of ${formatNumber(worst.wavelength)} dx.${rest}`,
     ];
   });
   return section(

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/second_law_watched.hpp"
 #include "reports/table/number_text.hpp"
 #include "reports/table/pivot.hpp"
 
@@ -94,11 +95,16 @@ NumberColumn law_column(std::string const& name, Get const& get) {
 }
 
 TextTable second_law_table(std::string const& title, std::vector<SeriesRow> const& rows) {
-  auto const breach = [](Breach const& b) { return Cell{percent(b.size), b.size}; };
+  // What was not watched was not kept either.
+  auto const column = [](char const* name, Breach SecondLaw::*member, bool (*was_watched)(SecondLaw const&)) {
+    return law_column(name, [=](SecondLaw const& s) {
+      return was_watched(s) ? Cell{percent((s.*member).size), (s.*member).size} : Cell{"-", std::nullopt};
+    });
+  };
   return number_table(title, rows,
-                      {law_column("cold to hot", [=](SecondLaw const& s) { return breach(s.cold_to_hot); }),
-                       law_column("overshoot", [=](SecondLaw const& s) { return breach(s.overshoot); }),
-                       law_column("undershoot", [=](SecondLaw const& s) { return breach(s.undershoot); }),
+                      {column("cold to hot", &SecondLaw::cold_to_hot, watched_cold_to_hot),
+                       column("overshoot", &SecondLaw::overshoot, watched_bounds),
+                       column("undershoot", &SecondLaw::undershoot, watched_bounds),
                        law_column("least entropy made", [](SecondLaw const& s) {
                          Number const& made = s.smallest_entropy_production;
                          return Cell{made ? signed_percent(*made) : "-", std::nullopt};

@@ -1,6 +1,7 @@
 #include "reports/table/changes.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <array>
@@ -21,6 +22,8 @@ constexpr double unchanged = 1e-6;
 constexpr double shown_as_zero = 1e-11;
 /// The share of the time error in the space error that runs are held to.
 constexpr double largest_time_error_share = 0.01;
+
+constexpr char const* timed_out = "timed-out";
 
 /// In the order of the tables.
 constexpr std::array<char const*, 10> measures{
@@ -52,16 +55,36 @@ bool may_match(Envelope const& a, Envelope const& b) {
          a.logarithmic == b.logarithmic && agree(a.parameters, b.parameters);
 }
 
-/// The one of the others with the same parameters, else the only one with no other value of any.
+/// Items of two documents that are the same, by the later one: those with the same parameters, and of what is
+/// left those with no other value of any, where each is the other's only choice.
 template <class Item>
-Item const* match(Item const& item, std::vector<Item> const& others) {
-  std::vector<Item const*> possible;
-  for (Item const& other : others) {
-    if (!may_match(item, other)) continue;
-    if (item.parameters == other.parameters) return &other;
-    possible.push_back(&other);
+std::map<Item const*, Item const*> matches(std::vector<Item> const& before, std::vector<Item> const& after) {
+  std::map<Item const*, Item const*> found;
+  std::set<Item const*> taken;  // of both documents
+  auto const match = [&](Item const& a, Item const& b) {
+    found[&b] = &a;
+    taken.insert({&a, &b});
+  };
+  for (Item const& b : after) {
+    auto const a = std::find_if(before.begin(), before.end(), [&](Item const& one) {
+      return !taken.contains(&one) && may_match(one, b) && one.parameters == b.parameters;
+    });
+    if (a != before.end()) match(*a, b);
   }
-  return possible.size() == 1 ? possible.front() : nullptr;
+  auto const only_choice = [&](Item const& item, std::vector<Item> const& others) -> Item const* {
+    Item const* choice = nullptr;
+    for (Item const& other : others) {
+      if (taken.contains(&other) || !may_match(item, other)) continue;
+      if (choice != nullptr) return nullptr;
+      choice = &other;
+    }
+    return choice;
+  };
+  for (Item const& b : after) {
+    Item const* const a = taken.contains(&b) ? nullptr : only_choice(b, before);
+    if (a != nullptr && only_choice(*a, after) == &b) match(*a, b);
+  }
+  return found;
 }
 
 std::string name_of(std::string const& case_id, std::map<std::string, ParameterValue> const& parameters,
@@ -84,6 +107,7 @@ std::string name_of(Envelope const& e) {
 /// The runs of a series at one resolution.
 struct Level {
   std::multiset<std::uint64_t> seeds;
+  bool timed_out = false;  ///< any of them, which depends on what else the machine did
   double smoothing_length = 0.0;
   double tolerance = 0.0;  ///< relative, of adaptive steps; 0: steps of fixed rules, the same everywhere
   double time_error_share = 0.0;
@@ -97,6 +121,7 @@ std::map<int, Level> levels_of(Series const& series, std::vector<RunRecord> cons
     RunRecord const& run = runs[index];
     Level& level = levels[run.resolution];
     level.seeds.insert(run.discretisation.layout.seed);
+    level.timed_out = level.timed_out || run.status == timed_out;
     level.smoothing_length = run.smoothing_length;
     if (run.integration && run.integration->relative_tolerance) {
       level.tolerance = std::max(level.tolerance, *run.integration->relative_tolerance);
@@ -125,16 +150,46 @@ std::optional<int> finest_common(std::map<int, Level> const& before, std::map<in
   return std::nullopt;
 }
 
-/// Twice the standard error of a level's mean over its seeds.
-double scatter(Series const& series, SeriesRow const& row, std::string const& region) {
+/// A level's mean over its seeds.
+struct Mean {
+  double variance = 0.0;
+  double degrees_of_freedom = 1.0;
+};
+
+Mean mean_of(Series const& series, SeriesRow const& row, std::string const& region) {
   for (OrderEntry const& entry : series.orders) {
     if (entry.field != row.field || entry.norm != row.norm || entry.region != region) continue;
     for (SeriesLevel const& level : entry.levels) {
-      if (level.resolution == row.finest && level.spread && level.replicates > 1)
-        return 2.0 * *level.spread / std::sqrt(static_cast<double>(level.replicates));
+      if (level.resolution != row.finest || !level.spread || level.replicates < 2) continue;
+      double const n = level.replicates;
+      return {*level.spread * *level.spread / n, n - 1.0};
     }
   }
-  return 0.0;
+  return {};
+}
+
+/// By how much two means of the same may differ in 95 of 100 cases: Student's quantile, which is large for
+/// few seeds, with the degrees of freedom of Welch, as the scatters need not be the same.
+double scatter(Mean const& a, Mean const& b) {
+  double const variance = a.variance + b.variance;
+  if (variance == 0.0) return 0.0;
+  // Shares, because the square of a small variance is 0.
+  double const share_a = a.variance / variance;
+  double const share_b = b.variance / variance;
+  double const degrees_of_freedom =
+      1.0 / (share_a * share_a / a.degrees_of_freedom + share_b * share_b / b.degrees_of_freedom);
+  return gsl_cdf_tdist_Pinv(0.975, degrees_of_freedom) * std::sqrt(variance);
+}
+
+bool any_timed_out(std::map<int, Level> const& levels) {
+  return std::any_of(levels.begin(), levels.end(), [](auto const& entry) { return entry.second.timed_out; });
+}
+
+/// Of every level.
+std::vector<std::multiset<std::uint64_t>> seeds_of(std::map<int, Level> const& levels) {
+  std::vector<std::multiset<std::uint64_t>> seeds;
+  for (auto const& [resolution, level] : levels) seeds.push_back(level.seeds);
+  return seeds;
 }
 
 std::vector<int> resolutions_of(std::map<int, Level> const& levels) {
@@ -148,7 +203,8 @@ Number magnitude(Number const& value) { return value ? Number(std::abs(*value)) 
 /// Collects what became of every number.
 class Collector {
  public:
-  explicit Collector(Changes& changes) : changes_(changes) {}
+  /// @param must_repeat the same runs, to which the same build on the same machine can do nothing else
+  Collector(Changes& changes, bool must_repeat) : changes_(changes), must_repeat_(must_repeat) {}
 
   void set_place(Change place) { place_ = std::move(place); }
 
@@ -163,6 +219,7 @@ class Collector {
       ++count.same;
       return;
     }
+    if (must_repeat_) ++changes_.not_repeated;
     if (std::abs(*after - *before) <= noise) {
       ++count.within_noise;
       return;
@@ -189,6 +246,7 @@ class Collector {
       ++count.same;
       return;
     }
+    if (must_repeat_) ++changes_.not_repeated;
     ++(direction == "better" ? count.better : direction == "worse" ? count.worse : count.changed);
     Change change = place_;
     change.measure = measure;
@@ -209,6 +267,7 @@ class Collector {
   }
 
   Changes& changes_;
+  bool must_repeat_;
   Change place_;
 };
 
@@ -303,8 +362,11 @@ void compare_series(NamedResults const& before, Series const& a, NamedResults co
   pair.same_ladder = resolutions_of(before_levels) == resolutions_of(after_levels);
   pair.same_seeds = pair.before_level.seeds == pair.after_level.seeds;
   if (!pair.same_seeds)
-    pair.scatter = std::hypot(scatter(a, pair.before, region), scatter(b, pair.after, region));
-  Collector collect(changes);
+    pair.scatter = scatter(mean_of(a, pair.before, region), mean_of(b, pair.after, region));
+  // An order is of the whole ladder.
+  bool const same_runs =
+      pair.same_ladder ? seeds_of(before_levels) == seeds_of(after_levels) : pair.same_seeds;
+  Collector collect(changes, same_runs && !any_timed_out(before_levels) && !any_timed_out(after_levels));
   collect.set_place(place_of(b, *common));
   std::string const status_before = status_of(pair.before);
   std::string const status_after = status_of(pair.after);
@@ -326,8 +388,32 @@ bool goes_up(Envelope const& a, Envelope const& b) {
   return true;
 }
 
+/// From where to where the parameter was driven; the start is tried only if the end did not hold.
+bool same_range(Envelope const& a, Envelope const& b) {
+  std::size_t const known = std::min({a.points.size(), b.points.size(), std::size_t{2}});
+  return std::equal(a.points.begin(), a.points.begin() + static_cast<std::ptrdiff_t>(known), b.points.begin(),
+                    [](Envelope::Point const& x, Envelope::Point const& y) { return x.value == y.value; });
+}
+
+/// Whether the same values were tried as far as the outcomes were the same, and load decided none of them.
+bool same_search(Envelope const& a, Envelope const& b) {
+  auto const was_bisected = [](Envelope const& e) {
+    return e.points.size() > 1 && e.points[1].status == "ok";
+  };
+  auto const any_timed_out = [](Envelope const& e) {
+    return std::any_of(e.points.begin(), e.points.end(),
+                       [](Envelope::Point const& p) { return p.status == timed_out; });
+  };
+  bool const same_bisections = !was_bisected(a) || !was_bisected(b) || a.points.size() == b.points.size();
+  return same_bisections && !any_timed_out(a) && !any_timed_out(b);
+}
+
 void compare_envelopes(Envelope const& a, Envelope const& b, Changes& changes) {
-  Collector collect(changes);
+  if (!same_range(a, b)) {
+    changes.not_comparable.push_back(name_of(a));
+    return;
+  }
+  Collector collect(changes, same_search(a, b));
   Change place;
   place.setting = {"", b.formulation, b.discretisation, 0.0};
   place.case_id = b.case_id;
@@ -353,15 +439,17 @@ void compare_envelopes(Envelope const& a, Envelope const& b, Changes& changes) {
 template <class Item, class Compare>
 void match_all(std::vector<Item> const& before, std::vector<Item> const& after, Changes& changes,
                Compare const& compare) {
+  auto const partners = matches(before, after);
   std::set<Item const*> taken;
   for (Item const& b : after) {
-    Item const* const a = match(b, before);
-    if (a == nullptr || !taken.insert(a).second) {
+    auto const a = partners.find(&b);
+    if (a == partners.end()) {
       changes.only_after.push_back(name_of(b));
       continue;
     }
     ++changes.in_both;
-    compare(*a, b);
+    taken.insert(a->second);
+    compare(*a->second, b);
   }
   for (Item const& a : before) {
     if (!taken.contains(&a)) changes.only_before.push_back(name_of(a));
@@ -375,8 +463,8 @@ Changes compare_two(NamedResults const& before, NamedResults const& after, std::
   changes.after = &after;
   Context const& a = before.results.context;
   Context const& b = after.results.context;
-  changes.same_machine = a.commit == b.commit && !a.commit.ends_with("-dirty") && a.compiler == b.compiler &&
-                         a.flags == b.flags && a.processor == b.processor;
+  changes.same_machine = a.commit == b.commit && !a.commit.ends_with("-dirty") && a.commit != "unknown" &&
+                         a.compiler == b.compiler && a.flags == b.flags && a.processor == b.processor;
   for (char const* measure : measures) changes.counts.push_back({measure});
   match_all(before.results.series, after.results.series, changes, [&](Series const& s, Series const& t) {
     compare_series(before, s, after, t, region, norm, changes);

@@ -32,10 +32,11 @@ struct MeasureCount {
 struct Changes {
   NamedResults const* before = nullptr;
   NamedResults const* after = nullptr;
-  bool same_machine = false;  ///< same commit, compiler, flags and processor: everything must repeat exactly
+  bool same_machine = false;  ///< same commit, compiler, flags and processor: the same runs repeat exactly
+  int not_repeated = 0;       ///< numbers and words of the same runs that moved, those by load left out
   int in_both = 0;            ///< series and envelopes
   std::vector<std::string> only_before, only_after;
-  std::vector<std::string> not_comparable;  ///< in both, but without a level that is the same scene
+  std::vector<std::string> not_comparable;  ///< in both, but without a level or a range that is the same
   std::vector<MeasureCount> counts;
   std::vector<Change> list;  ///< the largest first
 };

@@ -169,12 +169,11 @@ std::string changes_text(Changes const& changes, CompareOptions const& options) 
   text += fmt::format("{} series in both, compared at their finest common level.\n", changes.in_both);
   text += names_text(changes.only_before, "only in " + changes.before->name);
   text += names_text(changes.only_after, "only in " + changes.after->name);
-  text += names_text(changes.not_comparable, "in both, without a level that is the same scene");
-  int moved = 0;
-  for (MeasureCount const& c : changes.counts) moved += c.within_noise + c.better + c.worse + c.changed;
-  if (changes.same_machine && moved > 0)
+  text += names_text(changes.not_comparable, "in both, without a level or a range that is the same");
+  if (changes.same_machine && changes.not_repeated > 0)
     text += fmt::format(
-        "The same build on the same machine: {} numbers and words should have repeated exactly.\n", moved);
+        "The same build on the same machine: {} numbers and words should have repeated exactly.\n",
+        changes.not_repeated);
   text += "\n";
   if (changes.in_both == 0) return text;
   text += counts_text(changes, options);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "reports/json/results_json.hpp"
+#include "reports/second_law_watched.hpp"
 #include "reports/table/budget_tables.hpp"
 #include "reports/table/changes_table.hpp"
 #include "reports/table/envelope_table.hpp"
@@ -189,12 +190,13 @@ void add_stability(SeriesRow const& row, std::vector<std::pair<std::string, Numb
     numbers.emplace_back(name, step.measured);
     numbers.emplace_back(name + "_theory", step.theory);
   }
-  auto const size = [&](Breach SecondLaw::*breach) {
-    return row.second_law ? Number(((*row.second_law).*breach).size) : Number();
+  auto const size = [&](Breach SecondLaw::*breach, bool (*was_watched)(SecondLaw const&)) {
+    if (!row.second_law || !was_watched(*row.second_law)) return Number();
+    return Number(((*row.second_law).*breach).size);
   };
-  numbers.emplace_back("overshoot", size(&SecondLaw::overshoot));
-  numbers.emplace_back("undershoot", size(&SecondLaw::undershoot));
-  numbers.emplace_back("cold_to_hot", size(&SecondLaw::cold_to_hot));
+  numbers.emplace_back("overshoot", size(&SecondLaw::overshoot, watched_bounds));
+  numbers.emplace_back("undershoot", size(&SecondLaw::undershoot, watched_bounds));
+  numbers.emplace_back("cold_to_hot", size(&SecondLaw::cold_to_hot, watched_cold_to_hot));
   numbers.emplace_back("smallest_entropy_production",
                        row.second_law ? row.second_law->smallest_entropy_production : Number());
 }
@@ -287,7 +289,10 @@ std::string text(std::vector<NamedResults> const& documents, CompareOptions cons
     for (Changes const& changes : changes_of(documents, options.region, options.norm))
       sections.push_back(changes_text(changes, options));
   }
-  if (sections.empty()) return "No series: the study ran nothing.\n";
+  if (sections.empty()) {
+    return options.section.empty() ? "No series: the study ran nothing.\n"
+                                   : fmt::format("Nothing to show of {}.\n", options.section);
+  }
   return fmt::format("{}", fmt::join(sections, "\n"));
 }
 

@@ -132,7 +132,7 @@ std::vector<EnvelopeRow> envelope_rows(std::vector<NamedResults> const& document
 
 std::vector<TextTable> envelope_tables(std::vector<EnvelopeRow> const& rows) {
   auto const group_of = [](EnvelopeRow const& row) {
-    return std::tuple(row.case_id, row.parameters, row.parameter, row.resolution);
+    return std::tuple(row.case_id, row.parameters, row.parameter, row.to, row.resolution);
   };
   std::vector<TextTable> tables;
   std::vector<bool> is_done(rows.size(), false);

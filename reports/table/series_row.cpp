@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "reports/norm_of.hpp"
+#include "reports/second_law_watched.hpp"
 
 namespace sphverify {
 
@@ -72,8 +73,11 @@ void read_motion(RunRecord const& run, SeriesRow& row) {
   double scale = 0.0;
   double defect = 0.0;
   for (WallBudget const& wall : run.wall_budgets) {
-    scale = std::max(scale, std::abs(wall.prescribed_impulse[0]));
-    defect = std::max(defect, std::abs(wall.impulse[0] - wall.prescribed_impulse[0]));
+    for (std::size_t k = 0; k < wall.prescribed_impulse.size(); ++k) {
+      scale = std::max(scale, std::abs(wall.prescribed_impulse[k]));
+      if (k < wall.impulse.size())
+        defect = std::max(defect, std::abs(wall.impulse[k] - wall.prescribed_impulse[k]));
+    }
   }
   read_momentum(run, scale, row);
   if (scale > 0.0) worsen(row.wall_impulse_defect, defect / scale);
@@ -111,6 +115,9 @@ void read_second_law(RunRecord const& run, SeriesRow& row) {
     return;
   }
   SecondLaw& worst = *row.second_law;
+  // What one of the runs did not watch is not known of all.
+  if (watched_bounds(worst) > watched_bounds(s) || watched_cold_to_hot(worst) > watched_cold_to_hot(s))
+    worst.remark = s.remark;
   for (Breach SecondLaw::*const breach :
        {&SecondLaw::overshoot, &SecondLaw::undershoot, &SecondLaw::cold_to_hot}) {
     if ((s.*breach).size > (worst.*breach).size) worst.*breach = s.*breach;

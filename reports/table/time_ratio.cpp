@@ -12,6 +12,9 @@ namespace {
 /// Below it the machine was disturbed; a run alone on its core waits for nothing.
 constexpr double least_busy = 0.95;
 
+/// It got there on its way to larger errors.
+bool diverges(SeriesRow const& row) { return row.verdict == "diverging"; }
+
 /// What is compared: one slow repeat moves a mean, one lucky repeat a minimum, neither of them the median.
 Number typical(TimeToTarget const& time) { return time.median.median ? time.median.median : time.seconds; }
 
@@ -50,9 +53,9 @@ TimeTable::TimeTable(std::vector<SeriesRow> const& rows, TimeToTarget SeriesRow:
     auto const known = std::find_if(fastest_.begin(), fastest_.end(),
                                     [&](Fastest const& f) { return f.document == row.document; });
     if (known == fastest_.end()) {
-      fastest_.push_back({row.document, time});
-    } else if (*typical(time) < *typical(known->time)) {
-      known->time = time;
+      fastest_.push_back({row.document, time, diverges(row)});
+    } else if (known->diverges != diverges(row) ? known->diverges : *typical(time) < *typical(known->time)) {
+      *known = {row.document, time, diverges(row)};
     }
   }
 }
@@ -68,7 +71,7 @@ TimeTable::Entry TimeTable::entry(SeriesRow const& row) const {
   // A bound says neither who is fastest nor by how much.
   if (time.is_bound) return {"<=" + plain};
   if (fastest->time.is_bound) return {">=" + plain};
-  if (*typical(time) == *typical(fastest->time)) return {"1", true};
+  if (*typical(time) == *typical(fastest->time)) return {"1", !diverges(row)};
   if (!ratio->low) return {plain};
   bool const holds_one = *ratio->low <= 1.0 && *ratio->high >= 1.0;
   return {with_interval(ratio->value, *ratio->low, *ratio->high) + (holds_one ? "~" : "")};

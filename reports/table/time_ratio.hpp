@@ -34,14 +34,15 @@ class TimeTable {
   bool is_empty() const { return fastest_.empty(); }
 
   /// "2.4 (1.9-3.1)" or "1.09±0.05", with a "~" if 1 lies inside. What the coarsest level reached already is
-  /// at most that
-  /// ("<="), and the others are at least what they are of such a fastest (">=").
+  /// at most that ("<="), and the others are at least what they are of such a fastest (">="). What diverges
+  /// gets there by chance: it is never the fastest, and its ratio is to the fastest of the others if any.
   Entry entry(SeriesRow const& row) const;
 
  private:
   struct Fastest {
     std::string document;
     TimeToTarget time;
+    bool diverges = false;
   };
 
   TimeToTarget SeriesRow::*target_;

@@ -174,6 +174,12 @@ class PageTest(program.ProgramTest):
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
         cls.stable = maker.study(STABLE, "stable.json")
         maker.succeed("report", cls.place / "stable.json", "-o", cls.place / "stable.html")
+        unknown = copy.deepcopy(cls.stable)
+        for run in unknown["runs"]:
+            if run["label"] == "conduction/brookshaw" or run["discretisation"]["layout"] == "lattice":
+                run["stability"] |= {"growing_modes": None, "worst_mode": None, "remark": "too many unknowns"}
+        maker.write("unknown.json", unknown)
+        maker.succeed("report", cls.place / "unknown.json", "-o", cls.place / "unknown.html")
         cls.resting = maker.study(RESTING, "resting.json")
         maker.succeed("report", cls.place / "resting.json", "-o", cls.place / "resting.html")
         cls.timed = maker.study(TIMED, "timed.json")
@@ -438,6 +444,14 @@ class PageTest(program.ProgramTest):
         fastest = max(s["worst_mode"]["growth"] for s in growing)
         sentence = next(line for line in self.lines("modes") if line.startswith("campbell-flux: "))
         self.assertIn(f"modes grow in {len(growing)} of 3 runs, fastest at {fastest:.3g}/s", sentence)
+
+    def test_modes_that_are_not_known_are_not_said_to_decay(self):
+        self.open("unknown.html")
+        brookshaw, campbell = self.all("section.modes .sentences li")
+        self.assertEqual(brookshaw.text, "brookshaw: not known: too many unknowns.")
+        self.assertEqual(brookshaw.get_attribute("class"), "")
+        self.assertRegex(campbell.text, "modes grow in . of 2 runs, .*dx. Not known of 1: too many unknowns.$")
+        self.assert_silent()
 
     def test_draws_perturbations_of_a_gas_about_rest(self):
         self.open("stable.html")

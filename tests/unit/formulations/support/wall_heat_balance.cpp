@@ -46,7 +46,7 @@ BOOST_AUTO_TEST_CASE(what_reaches_the_wall_is_what_it_loses_hot_or_cold) {
 
 BOOST_AUTO_TEST_CASE(limits_are_the_fluid_s_temperature_and_the_environment_s) {
   HeatLoss const loss = radiation(1.0, 0.7);
-  BOOST_TEST(balanced_wall_temperature(loss, 2.0, 0.0) == 2.0);
+  BOOST_TEST(balanced_wall_temperature(loss, 2.0, 0.0) == 0.7);
   BOOST_TEST(balanced_wall_temperature(loss, 0.7, 3.0) == 0.7, tolerance(1e-15));
   BOOST_TEST(balanced_wall_temperature(loss, 2.0, 1e-12) == 0.7, tolerance(1e-10));
   BOOST_TEST(balanced_wall_temperature(loss, 2.0, 1e12) == 2.0, tolerance(1e-10));
@@ -123,12 +123,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(interpolated_temperature_distance_and_conductivity
   }
 }
 
-BOOST_AUTO_TEST_CASE(a_wall_that_does_not_conduct_is_as_warm_as_the_fluid) {
+BOOST_AUTO_TEST_CASE(a_fluid_that_does_not_conduct_gives_a_losing_wall_nothing) {
   Scene<1> scene = radiating_scene<1>();
   scene.particles.scalar(Field::conductivity).assign(20, 0.0);
   WallContacts<1> const contacts = filled(scene, temperature_only, Closure::one_sided);
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    BOOST_TEST(contacts.temperature[c] == scene.particles.scalar(Field::temperature)[contacts.particle[c]]);
+  BOOST_TEST_REQUIRE(contacts.size() > 0u);
+  for (std::size_t c = 0; c < contacts.size(); ++c) BOOST_TEST(contacts.flux[c].norm() == 0.0);
 }
 
 // What the wall takes from a fine lattice is what it loses, as with a prescribed flux.

@@ -318,6 +318,14 @@ BOOST_AUTO_TEST_CASE(a_ratio_of_times_to_an_error_is_one_of_medians_with_their_i
   BOOST_TEST(std::isinf(*m.upper));
   BOOST_TEST(*m.kindest_lower == 8.0, tolerance(1e-12));
   BOOST_TEST(std::isinf(*m.kindest_upper));
+  // A document may hold a median that is no time.
+  Results timeless = both(0.2, 0.2);
+  for (Series& series : timeless.series) {
+    for (TimeToError& t : series.time_to_error) t.median.median = 0.0;
+  }
+  m = measured(gate, timeless).at(0);
+  BOOST_TEST(!m.value.has_value());
+  BOOST_TEST(says(m.problem, "is zero"), m.problem);
 }
 
 BOOST_AUTO_TEST_CASE(a_subject_is_described_by_what_is_not_default) {

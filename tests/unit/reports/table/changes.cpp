@@ -147,13 +147,27 @@ BOOST_AUTO_TEST_CASE(means_over_other_seeds_differ_by_their_scatter) {
   auto const with = [](std::uint64_t first, double error) {
     return results_of({Ladder{.error = error, .seeds = 3, .first_seed = first}});
   };
-  // The errors scatter by 0.1 about 1.1: 2 hypot(0.1, 0.1) / sqrt(3) of 1.1 is 15%.
-  Compared const near(with(1, 1e-3), with(7, 1.1e-3));
+  // The errors scatter by 0.1 about 1.1: with 3.87 degrees of freedom 2.81 hypot(0.1, 0.12) / sqrt(3), 23%
+  // of 1.1.
+  Compared const near(with(1, 1e-3), with(7, 1.2e-3));
   BOOST_TEST(near.count("error").within_noise == 1);
   BOOST_TEST(near.count("wall flux").same == 0);
   BOOST_TEST(Compared(with(1, 1e-3), with(7, 1.3e-3)).count("error").worse == 1);
   // The same particles have none.
   BOOST_TEST(Compared(with(1, 1e-3), with(1, 1.1e-3)).count("error").worse == 1);
+}
+
+BOOST_AUTO_TEST_CASE(two_seeds_tell_little_of_their_scatter) {
+  auto const with = [](std::uint64_t first, double error) {
+    return results_of({Ladder{.error = error, .order = 0.0, .seeds = 2, .first_seed = first}});
+  };
+  Compared const c(with(1, 1e-3), with(7, 2e-3));
+  BOOST_REQUIRE(!c.changes.list.empty());
+  BOOST_TEST(c.changes.list.front().measure == "error");
+  // Of 1 and 1.1 the variance is 0.005. By Welch 25/17 degrees of freedom, whose quantile is 6.18811.
+  double const expected = 6.18811 * 1e-3 * std::sqrt((0.005 + 4.0 * 0.005) / 2.0);
+  double const time_errors = 0.002 * 2.1e-3;
+  BOOST_TEST(std::abs(*c.changes.list.front().noise - time_errors - expected) < 1e-5 * expected);
 }
 
 BOOST_AUTO_TEST_CASE(an_order_changes_when_it_leaves_the_interval) {
@@ -229,6 +243,34 @@ BOOST_AUTO_TEST_CASE(a_parameter_that_only_one_version_knows_does_not_part_serie
   BOOST_TEST(Compared(results_of({Ladder{}}), hotter).changes.in_both == 0);
 }
 
+/// A series per angle, without the parameter where empty.
+Results with_angles(std::vector<Number> const& angles) {
+  Results results;
+  for (Number const& angle : angles) {
+    for (RunRecord run : results_of({Ladder{}}).runs) {
+      if (angle) run.parameters["angle"] = *angle;
+      results.runs.push_back(run);
+    }
+  }
+  results.series = build_series(results.runs);
+  return results;
+}
+
+BOOST_AUTO_TEST_CASE(an_inexact_partner_is_neither_a_choice_nor_taken_from_an_exact_one) {
+  // Either of the later ones might be the earlier one.
+  Compared const choice(with_angles({{}}), with_angles({0.0, 1.0}));
+  BOOST_TEST(choice.changes.in_both == 0);
+  BOOST_TEST(choice.changes.only_before.size() == 1u);
+  BOOST_TEST(choice.changes.only_after.size() == 2u);
+  // The one without an angle comes last, and is the same.
+  Results const reversed = with_angles({0.0, {}});
+  BOOST_REQUIRE(reversed.series.front().parameters.contains("angle"));
+  Compared const c(with_angles({{}}), reversed);
+  BOOST_TEST(c.changes.in_both == 1);
+  BOOST_REQUIRE(c.changes.only_after.size() == 1u);
+  BOOST_TEST(c.changes.only_after[0].find("angle") != std::string::npos, c.changes.only_after[0]);
+}
+
 BOOST_AUTO_TEST_CASE(the_same_build_and_machine_is_told_by_the_context) {
   Results before = results_of({Ladder{}});
   before.context = {"1", "abc", "gcc", "-O3", "cpu", "today", 2};
@@ -237,8 +279,29 @@ BOOST_AUTO_TEST_CASE(the_same_build_and_machine_is_told_by_the_context) {
   after.context.processor = "another";
   BOOST_TEST(!Compared(before, after).changes.same_machine);
   after = before;
-  before.context.commit = after.context.commit = "abc-dirty";  // may be any source
-  BOOST_TEST(!Compared(before, after).changes.same_machine);
+  for (char const* commit : {"abc-dirty", "unknown"}) {  // may be any source
+    before.context.commit = after.context.commit = commit;
+    BOOST_TEST(!Compared(before, after).changes.same_machine);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(only_the_same_runs_that_load_did_not_end_should_have_repeated) {
+  auto const not_repeated = [](Results const& before, Results const& after) {
+    return Compared(before, after).changes.not_repeated;
+  };
+  BOOST_TEST(not_repeated(results_of({Ladder{}}), results_of({Ladder{}})) == 0);
+  BOOST_TEST(not_repeated(results_of({Ladder{}}), results_of({Ladder{.error = 1.0000001e-3}})) > 0);
+  BOOST_TEST(not_repeated(results_of({Ladder{}}), results_of({Ladder{.last_status = "unstable"}})) == 1);
+  BOOST_TEST(not_repeated(results_of({Ladder{}}), results_of({Ladder{.last_status = "timed-out"}})) == 0);
+  Results const seeds = results_of({Ladder{.seeds = 3, .first_seed = 1}});
+  BOOST_TEST(not_repeated(seeds, results_of({Ladder{.error = 2e-3, .seeds = 3, .first_seed = 7}})) == 0);
+  // Other seeds at another level move the order.
+  Results coarse = results_of({Ladder{.error = 2e-3, .seeds = 3, .first_seed = 1}});
+  for (RunRecord& run : coarse.runs) {
+    if (run.resolution == 25) run.discretisation.layout.seed += 6;
+  }
+  coarse.series = build_series(coarse.runs);
+  BOOST_TEST(not_repeated(seeds, coarse) == 0);
 }
 
 /// A bisection on a linear scale that ends between two values.
@@ -267,6 +330,27 @@ BOOST_AUTO_TEST_CASE(an_envelope_changes_by_more_than_its_bracket_and_towards_th
   Compared const c(holds, limits(0.5, 0.6));
   BOOST_TEST(c.count("how it fails").worse == 1);
   BOOST_TEST(c.count("held to").worse == 1);
+}
+
+BOOST_AUTO_TEST_CASE(envelopes_that_were_asked_for_other_ranges_do_not_compare) {
+  for (Results const& other : {limits(0.5, 0.6, 0.0, 2.0), limits(0.5, 0.6, 0.25, 1.0)}) {
+    Compared const c(limits(0.5, 0.6), other);
+    BOOST_TEST(c.changes.not_comparable.size() == 1u);
+    BOOST_TEST(c.changes.counts.empty());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(envelopes_should_repeat_unless_they_were_bisected_otherwise_or_load_ended_a_run) {
+  auto const not_repeated = [](Results const& after) {
+    return Compared(limits(0.5, 0.6), after).changes.not_repeated;
+  };
+  BOOST_TEST(not_repeated(limits(0.7, 0.8)) == 1);
+  Results finer = limits(0.55, 0.6);
+  finer.envelopes[0].points.push_back({0.55, "ok"});
+  BOOST_TEST(not_repeated(finer) == 0);
+  Results late = limits(0.5, 0.6);
+  late.envelopes[0].status = late.envelopes[0].points[0].status = "timed-out";
+  BOOST_TEST(not_repeated(late) == 0);
 }
 
 BOOST_AUTO_TEST_CASE(every_document_is_compared_with_the_first) {

@@ -278,6 +278,12 @@ BOOST_AUTO_TEST_CASE(momentum_is_relative_to_a_wall_s_impulse_or_else_to_what_th
   BOOST_TEST(shown(gas(0.1, 0.4)).find("25%") != std::string::npos);
   BOOST_TEST(shown(gas(0.1, std::nullopt)).find("10%") != std::string::npos);  // of sqrt(2 mass energy) = 1
   BOOST_TEST(shown(gas(1e-15, 0.4)).find("rounding") != std::string::npos);
+  Results upright = gas(0.1, std::nullopt);  // a wall that prescribes along y alone
+  upright.runs[0].wall_budgets = {{{0.0, 0.0}, {0.0, 0.3}, {0.0, 0.4}, 0.0, 0.0, 0.0}};
+  BOOST_TEST(shown(upright).find("25%") != std::string::npos);
+  std::string const text = table_of(upright, TableFormat::table);
+  BOOST_TEST(row(text.substr(text.find("impulse that a wall gave")), "p-rho2 ").find("25%") !=
+             std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(stability_and_the_second_law_show_the_worst_of_the_seeds) {

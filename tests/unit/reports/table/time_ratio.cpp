@@ -93,6 +93,22 @@ BOOST_AUTO_TEST_CASE(who_failed_or_never_got_there_is_not_the_fastest) {
   BOOST_TEST((TimeTable(rows, &SeriesRow::to_permille).is_empty()));
 }
 
+BOOST_AUTO_TEST_CASE(what_diverges_is_the_fastest_only_where_nothing_else_got_there_and_never_marked) {
+  for (bool const comes_first : {true, false}) {
+    std::vector<SeriesRow> rows(2, row(time_of(0.9, 1.0, 1.1)));
+    std::size_t const diverging = comes_first ? 0 : 1;
+    rows[diverging] = row({0.5, {0.5, {}, {}}});
+    rows[diverging].verdict = "diverging";
+    BOOST_TEST(text(rows, 1 - diverging) == "1");
+    BOOST_TEST(is_fastest(rows, 1 - diverging));
+    BOOST_TEST(text(rows, diverging) == "0.5");
+    BOOST_TEST(!is_fastest(rows, diverging));
+    std::vector<SeriesRow> const alone{rows[diverging]};
+    BOOST_TEST(text(alone, 0) == "1");
+    BOOST_TEST(!is_fastest(alone, 0));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_machine_that_had_other_work_is_told_of) {
   std::vector<SeriesRow> rows(3);
   BOOST_TEST(disturbance(rows) == "");

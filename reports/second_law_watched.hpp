@@ -1,0 +1,18 @@
+#pragma once
+
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+/// Whether a run's record can say that temperatures left their bounds: where a wall brings heat there are
+/// none, and where a source gives heat or time ran out nothing was watched. The remark tells.
+inline bool watched_bounds(SecondLaw const& law) {
+  return law.remark.empty() || law.remark.starts_with("entropy");
+}
+
+/// The same of heat that went from cold to hot, which needs no bounds.
+inline bool watched_cold_to_hot(SecondLaw const& law) {
+  return watched_bounds(law) || law.remark.starts_with("a wall brings heat");
+}
+
+}  // namespace sphverify

@@ -94,6 +94,8 @@ function readTarget({ time, is_bound }) {
 function readRuns({ columns, rows }, series, word) {
   return rows.map((row) => {
     const run = Object.fromEntries(columns.map((column, k) => [column, row[k]]));
+    run.label = word(run.label);
+    run.case = word(run.case);
     run.status = word(run.status);
     run.reason = word(run.reason);
     run.time = readTime(run.time ?? [null, null, null]);

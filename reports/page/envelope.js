@@ -13,7 +13,8 @@ function envelopeSection(doc) {
     element(
       "p",
       { class: "hint" },
-      "One row for each formulation and setting. The bar ends at the last value that held; " +
+      "One row for each formulation and setting. The bar goes from where the study begins to the last value " +
+        "that held; " +
         "filled: held, cross: failed.",
     ),
     panelGrid(groups, (group) => envelopePanel(view, group)),
@@ -26,7 +27,8 @@ function envelopePanel(view, { title, envelopes }) {
   const isLogarithmic =
     envelopes.every((e) => e.logarithmic) && envelopes.every((e) => e.points.every((p) => p.value > 0));
   const points = envelopes.flatMap((e) => e.points.map((p) => ({ ...p, row: row(e), name: e.name })));
-  const values = [...points.map((p) => p.value), ...envelopes.flatMap((e) => [e.held, e.failed])].filter(
+  const { from } = view.doc.study.envelope;
+  const values = [from, ...points.map((p) => p.value), ...envelopes.flatMap((e) => [e.held, e.failed])].filter(
     (v) => v !== null,
   );
   const x = isLogarithmic ? paddedLog(values) : paddedLinear(values);
@@ -35,7 +37,6 @@ function envelopePanel(view, { title, envelopes }) {
   const width = plotWidth(null);
   const marginLeft = Math.min(0.45 * width, 24 + 6.6 * longest);
   const rows = new Set(envelopes.map(row)).size;
-  const least = d3.min(points, (p) => p.value) ?? x[0];
   const plot = Plot.plot(
     plotOptions(`Stability envelope: ${title}`, {
       width,
@@ -51,7 +52,7 @@ function envelopePanel(view, { title, envelopes }) {
         // Long names take several lines.
         Plot.axisY({ label: null, lineWidth: (marginLeft - 16) / 12 }),
         Plot.ruleY(held, {
-          x1: Math.max(x[0], least),
+          x1: from,
           x2: "held",
           y: row,
           stroke: (e) => view.styles.get(e.name).colour,

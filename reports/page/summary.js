@@ -276,7 +276,12 @@ function rankTable(one, ranks, caption) {
 }
 
 function summarySection(doc) {
-  if (doc.cases.length === 0)
-    return section(doc, "summary", "Verdict", element("p", {}, "The study ran nothing."));
+  if (doc.cases.length === 0) {
+    const words =
+      doc.envelopes.length > 0
+        ? "An envelope study has no ladders: see Stability envelope."
+        : "The study ran nothing.";
+    return section(doc, "summary", "Verdict", element("p", {}, words));
+  }
   return section(doc, "summary", "Verdict", ...doc.cases.map((one) => verdictOf(doc, one)));
 }

@@ -201,8 +201,8 @@ function runTable(view) {
   const rows = view.doc.runs.filter((run) => run.series === null || view.tableSeries.includes(run.series));
   const columns = filled(
     [
-      { label: "formulation", value: (r) => r.series?.name ?? "in no ladder" },
-      { label: "case", value: (r) => r.series?.caseName },
+      { label: "formulation", value: (r) => r.series?.name ?? r.label },
+      { label: "case", value: (r) => r.series?.caseName ?? r.case },
       ...settingColumns(view.tableSeries, (r) => r.series),
       { label: "N", value: (r) => r.resolution, text: (r) => String(r.resolution) },
       { label: "particles", value: (r) => r.particles, text: (r) => String(r.particles) },
@@ -233,8 +233,8 @@ function failureSection(doc) {
   if (rows.length === 0) return null;
   const columns = filled(
     [
-      { label: "formulation", value: (r) => r.series?.name ?? "in no ladder" },
-      { label: "case", value: (r) => r.series?.caseName },
+      { label: "formulation", value: (r) => r.series?.name ?? r.label },
+      { label: "case", value: (r) => r.series?.caseName ?? r.case },
       ...settingColumns(doc.series, (r) => r.series),
       { label: "N", value: (r) => r.resolution, text: (r) => String(r.resolution) },
       { label: "seed", value: (r) => r.seed, text: (r) => (r.seed === null ? "–" : String(r.seed)) },

@@ -24,9 +24,11 @@ Cell energy_cell(SeriesRow const& row) {
   if (!row.energy_drift) return {"-", std::nullopt};
   double const rounding = row.energy_rounding.value_or(0.0);
   if (!row.energy_pair_drift) return {amount(row.energy_drift, rounding), row.energy_drift};
+  // The best is who creates least by either.
   double const pairs = std::abs(*row.energy_pair_drift);
+  double const most = std::max(pairs, std::abs(row.energy_step_drift.value_or(0.0)));
   return {amount(pairs, rounding) + " / " + amount(row.energy_step_drift, rounding),
-          pairs <= rounding ? 0.0 : pairs};
+          most <= rounding ? 0.0 : most};
 }
 
 Cell momentum_cell(SeriesRow const& row) {
@@ -50,7 +52,11 @@ TextTable modes_table(std::string const& title, std::vector<SeriesRow> const& ro
   return number_table(
       title, rows,
       {stability_column("growing modes", [=](Stability const& s) { return count(s.growing_modes); }),
-       stability_column("unseen modes", [=](Stability const& s) { return count(s.unseen_modes); }),
+       // None is best: between insulated walls a uniform temperature has to be one.
+       stability_column("unseen modes",
+                        [=](Stability const& s) {
+                          return Cell{count(s.unseen_modes).text, std::nullopt};
+                        }),
        stability_column("abscissa [1/s]",
                         [](Stability const& s) {
                           // Of rounding's size: neither grows nor decays.

@@ -100,6 +100,15 @@ RESTING = {
     "resolution": [12, 24],
     "measure": ["error", "stability", "stable-step", "spectrum"],
 }
+DRIVEN = {
+    "schema": "sphverify-study/1",
+    "name": "driven",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": ["conduction/brookshaw", "conduction/campbell-flux"],
+    "resolution": [50],
+    "measure": ["error", "stability"],
+    "envelope": {"parameter": "smoothing_ratio", "from": 1.2, "to": 0.5, "bisections": 3},
+}
 TIMED = {
     "schema": "sphverify-study/1",
     "name": "timed",
@@ -166,6 +175,7 @@ class PageTest(program.ProgramTest):
         cls.gas = maker.study(GAS, "gas.json")
         odd = program.mutated(cls.heat, ("study", "name"), HOSTILE)
         odd["envelopes"] = envelopes_of(odd)
+        odd["study"]["envelope"] = {"parameter": "layout.amplitude", "from": 0.05, "to": 0.3, "bisections": 0}
         odd["runs"][0]["status"], odd["runs"][0]["reason"] = "unstable", HOSTILE
         maker.write("odd.json", odd)
         maker.succeed("report", cls.place / "heat.json", "-o", cls.place / "heat.html")
@@ -182,6 +192,8 @@ class PageTest(program.ProgramTest):
         maker.succeed("report", cls.place / "unknown.json", "-o", cls.place / "unknown.html")
         cls.resting = maker.study(RESTING, "resting.json")
         maker.succeed("report", cls.place / "resting.json", "-o", cls.place / "resting.html")
+        cls.driven = maker.study(DRIVEN, "driven.json")
+        maker.succeed("report", cls.place / "driven.json", "-o", cls.place / "driven.html")
         cls.timed = maker.study(TIMED, "timed.json")
         maker.succeed("report", cls.place / "timed.json", "-o", cls.place / "timed.html")
         brookshaw, lucy = TIMED["formulations"]
@@ -307,6 +319,26 @@ class PageTest(program.ProgramTest):
         self.open("odd.html")
         self.assertEqual(self.count("envelope", "g[aria-description=failed] path"), 1)
         self.assertEqual(self.count("envelope", "g[aria-description=held] line"), 1)
+
+    def test_draws_how_far_a_parameter_was_driven_down(self):
+        self.open("driven.html")
+        self.assertIn("see Stability envelope", self.one("section.summary").text)
+        held = {e["label"]: e["held"] for e in self.driven["envelopes"]}
+        self.assertEqual(held["conduction/brookshaw"], 0.5)
+        self.assertGreater(held["conduction/campbell-flux"], 0.5)
+        ends = [
+            self.script("return [arguments[0].x1.baseVal.value, arguments[0].x2.baseVal.value]", line)
+            for line in self.all("section.envelope figure svg g[aria-description=held] line")
+        ]
+        # Bars start together, where the study does, and go down as far as each held.
+        self.assertEqual(len({start for start, _ in ends}), 1)
+        lengths = sorted(start - end for start, end in ends)
+        self.assertGreater(lengths[0], 0)
+        reach = [1.2 - held["conduction/campbell-flux"], 1.2 - 0.5]
+        self.assertAlmostEqual(lengths[0] / lengths[1], reach[0] / reach[1], places=6)
+        broken = {run["label"] for run in self.driven["runs"] if run["status"] != "ok"}
+        listed = {cell.text for cell in self.all("section.failures tbody tr > :nth-child(1)")}
+        self.assertEqual(listed, broken)
 
     def test_the_verdict_follows_from_the_numbers(self):
         self.open("heat.html")

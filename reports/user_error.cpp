@@ -35,6 +35,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string nearest(std::string_view word, std::vector<std::string> const& candidates) {
   std::string best;
+  if (word.empty()) return best;  // was no text: nothing is near
   std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
   for (std::string const& candidate : candidates) {
     // A bare name is as near as its full identifier: 'brookshaw' means 'conduction/brookshaw'.

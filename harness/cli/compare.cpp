@@ -1,6 +1,8 @@
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <memory>
+#include <set>
 
 #include "harness/cli/commands.hpp"
 #include "reports/json/results_json.hpp"
@@ -17,6 +19,18 @@ struct CompareCommand {
   CompareOptions options;
 };
 
+/// Refuses a region that no series has: its tables would be empty.
+void require_region(std::string const& region, std::vector<NamedResults> const& documents) {
+  std::set<std::string> known;
+  for (NamedResults const& document : documents) {
+    for (Series const& series : document.results.series) {
+      for (OrderEntry const& order : series.orders) known.insert(order.region);
+    }
+  }
+  if (!known.empty() && !known.contains(region))
+    throw UserError("compare", "--region", region, fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
 void compare_documents(CompareCommand const& command) {
   if (command.options.section == "changes" && command.documents.size() < 2)
     throw UserError("compare", "--section", "changes of one document", "two documents or more");
@@ -24,6 +38,7 @@ void compare_documents(CompareCommand const& command) {
   std::vector<NamedResults> documents;
   for (std::size_t k = 0; k < names.size(); ++k)
     documents.push_back({names[k], read_results(command.documents[k])});
+  require_region(command.options.region, documents);
   CompareOptions options = command.options;
   options.format = command.format == "markdown" ? TableFormat::markdown
                    : command.format == "csv"    ? TableFormat::csv

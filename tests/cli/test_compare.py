@@ -124,6 +124,10 @@ class Compare(ProgramTest):
         order = next(o for o in document["series"][0]["orders"] if (o["region"], o["norm"]) == ("wall", "linf"))
         self.assertEqual(table["series"][0]["error"], order["levels"][-1]["error"])
 
+    def test_a_region_that_nothing_has_is_refused(self):
+        result = self.run_program("compare", self.results, "--region", "corner")
+        self.assert_user_error(result, "--region: found corner, expected one of all")
+
     def test_the_best_of_a_column_is_marked_and_has_the_smallest_error(self):
         table = self.compare().split("\n\n")[0].splitlines()
         rule = next(k for k, line in enumerate(table) if set(line.strip()) <= {"-", " "} and "-" in line)

@@ -108,6 +108,7 @@ BOOST_AUTO_TEST_CASE(parameters_are_of_the_kind_of_their_defaults) {
 BOOST_AUTO_TEST_CASE(the_nearest_candidate_is_the_one_of_fewest_edits) {
   std::vector<std::string> const candidates{"lattice", "jittered", "conduction/brookshaw", "cost"};
   BOOST_TEST(nearest("latice", candidates) == "lattice");
+  BOOST_TEST(nearest("", {"on", "off"}) == "");  // what is no text is near nothing
   BOOST_TEST(nearest("lattice", candidates) == "lattice");
   BOOST_TEST(nearest("jitterd", candidates) == "jittered");
   BOOST_TEST(nearest("brookshaw", candidates) == "conduction/brookshaw");

@@ -37,7 +37,7 @@ std::vector<std::string> remarks(GateVerdict const& verdict) {
   std::vector<std::string> all;
   if (verdict.verdict == Verdict::passed) return all;
   if (verdict.verdict == Verdict::unexpected_pass)
-    all.push_back("it holds now: remove \"expect\": \"fail\" from the gate");
+    all.emplace_back("it holds now: remove \"expect\": \"fail\" from the gate");
   if (!verdict.reason.empty()) all.push_back("expected to fail: " + without_control(verdict.reason));
   if (!verdict.detail.empty()) all.push_back(without_control(verdict.detail));
   if (!verdict.where.empty()) {

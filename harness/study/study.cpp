@@ -295,15 +295,16 @@ EnvelopeChoice read_envelope(Node const& node, Study const& study) {
     return choice;
   }
   for (StudyCase const& one : study.cases) {
-    RunSpec spec{one.scene_case, one.parameters, {}, {}, {}, 0.0, 0, 0.0};
-    for (char const* end : {"from", "to"}) {
+    RunSpec const spec{
+        one.scene_case, one.parameters, FormulationChoice(), "", Discretisation(), 0.0, 0, 0.0};
+    auto const driven_to = [&](char const* end) {
       try {
-        spec = with_value(spec, choice, node.at(end).number());
+        return with_value(spec, choice, node.at(end).number()).parameters;
       } catch (std::invalid_argument const& error) {
         throw UserError(node.file() + ": " + node.key() + ": " + error.what());
       }
-      require_sensible({one.scene_case, spec.parameters}, node);
-    }
+    };
+    for (char const* end : {"from", "to"}) require_sensible({one.scene_case, driven_to(end)}, node);
   }
   return choice;
 }

@@ -1,8 +1,12 @@
 #include "harness/measure/second_law.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "reports/second_law_watched.hpp"
 
 namespace sphverify {
 
@@ -70,7 +74,7 @@ void SecondLawWatch<Dim>::widen_range(double time) {
     WallContacts<Dim> const& contacts = geometry.contacts[w];
     if (brings_flux(wall, contacts, time)) {
       bounded_ = false;
-      result_.remark = "a wall brings heat: temperatures have no bounds, entropy no balance";
+      result_.remark = fmt::format("{}: temperatures have no bounds, entropy no balance", wall_brings_heat);
     }
     Range outside;
     if (wall.heat_loss) outside.include(wall.heat_loss->environment);
@@ -138,13 +142,13 @@ void SecondLawWatch<Dim>::watch_entropy(double time, double const* temperature) 
   PairGeometry<Dim> const& geometry = scene_.geometry();
   auto const refuse = [&](char const* why) {
     result_.smallest_entropy_production.reset();
-    if (result_.remark.empty()) result_.remark = why;
+    if (result_.remark.empty()) result_.remark = fmt::format("{} needs {}", no_entropy, why);
   };
   if (!result_.remark.empty()) return refuse("");
   double production = 0.0;
   double turnover = 0.0;
   for (std::size_t i = 0; i < rate_.size(); ++i) {
-    if (!(temperature[i] > 0.0)) return refuse("entropy needs temperatures above zero");
+    if (!(temperature[i] > 0.0)) return refuse("temperatures above zero");
     double const gain = scene_.particles().masses()[i] * rate_[i] / temperature[i];
     production += gain;
     turnover += std::abs(gain);
@@ -154,12 +158,11 @@ void SecondLawWatch<Dim>::watch_entropy(double time, double const* temperature) 
     if (power[w] == 0.0) continue;
     Wall<Dim> const& wall = geometry.walls[w];
     WallContacts<Dim> const& contacts = geometry.contacts[w];
-    if (!wall.temperature) return refuse("entropy needs the temperature of every wall that gives heat");
+    if (!wall.temperature) return refuse("the temperature of every wall that gives heat");
     Range range;
     for (std::size_t c = 0; c < contacts.size(); ++c) range.include(wall.temperature(contacts.foot[c], time));
-    if (!(range.lowest > 0.0)) return refuse("entropy needs temperatures above zero");
-    if (range.highest - range.lowest > round_off_)
-      return refuse("entropy needs walls of one temperature each");
+    if (!(range.lowest > 0.0)) return refuse("temperatures above zero");
+    if (range.highest - range.lowest > round_off_) return refuse("walls of one temperature each");
     production -= power[w] / range.lowest;
     turnover += std::abs(power[w]) / range.lowest;
   }

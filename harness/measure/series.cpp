@@ -9,6 +9,7 @@
 
 #include "cases/support/case.hpp"
 #include "harness/measure/order.hpp"
+#include "reports/mean_time.hpp"
 
 namespace sphverify {
 
@@ -62,25 +63,12 @@ RegionError const* find_error(RunRecord const& run, std::string const& field, st
   return r == f->second.end() ? nullptr : &r->second;
 }
 
-/// Mean of a time of all runs of a level; empty if one has none.
-template <class TimeOf>
-Number mean_time(std::vector<RunRecord const*> const& level, TimeOf const& time_of) {
-  double sum = 0.0;
-  for (RunRecord const* run : level) {
-    Number const time = run->cost ? time_of(*run->cost) : Number();
-    if (!time) return std::nullopt;
-    sum += *time;
-  }
-  return sum / static_cast<double>(level.size());
-}
-
 void set_times(std::vector<RunRecord const*> const& members, SeriesLevel& level) {
-  level.seconds = mean_time(members, [](Cost const& c) { return Number(c.seconds); });
-  // If every run's interval holds its median, the means of the ends hold the mean of the medians.
-  for (Number MedianSeconds::*const part :
-       {&MedianSeconds::median, &MedianSeconds::low, &MedianSeconds::high}) {
-    level.median.*part = mean_time(members, [part](Cost const& c) { return c.median.*part; });
-  }
+  std::vector<Cost const*> costs;
+  for (RunRecord const* run : members) costs.push_back(run->cost ? &*run->cost : nullptr);
+  MeanTime const time = mean_time(costs);
+  level.seconds = time.seconds;
+  level.median = time.median;
 }
 
 Number standard_deviation(std::vector<double> const& values) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "harness/measure/norms.hpp"
 #include "harness/run/clock.hpp"
@@ -73,7 +74,7 @@ Cost time_batch(Problem<Dim> const& problem, SceneChoice const& choice, int batc
   return cost;
 }
 
-/// The evaluation that was measured and the batches that find their size warm up.
+/// The evaluation that was measured and the smaller batches warm up; the one of the right size counts.
 template <int Dim>
 void measure_cost(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
                   RunRecord& record) {
@@ -82,9 +83,16 @@ void measure_cost(Problem<Dim> const& problem, SceneChoice const& choice, RunOpt
     if (options.interrupted && *options.interrupted) throw Interrupted();
     return options.time_budget > 0.0 && clock.seconds() > 0.5 * options.time_budget;
   };
-  int const batch = batch_for([&](int size) { return time_batch(problem, choice, size).seconds * size; });
-  record.cost = time_repeats(
-      options.repeat, [&] { return time_batch(problem, choice, batch); }, out_of_time);
+  std::optional<Cost> first;
+  int const batch = batch_for([&](int size) {
+    first = time_batch(problem, choice, size);
+    return first->seconds * size;
+  });
+  auto const once = [&]() -> std::optional<Cost> {
+    if (first) return std::exchange(first, std::nullopt);
+    return time_batch(problem, choice, batch);
+  };
+  record.cost = time_repeats(options.repeat, once, out_of_time);
 }
 
 }  // namespace

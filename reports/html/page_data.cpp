@@ -8,6 +8,7 @@
 #include <functional>
 #include <map>
 
+#include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/table/series_row.hpp"
 
@@ -125,25 +126,6 @@ Json time_json(Number const& shortest, MedianSeconds const& m) {
   return {number(m.median), number(m.low), number(m.high)};
 }
 
-/// Mean of a time of all runs; empty for none, or if one of them has no such time.
-template <class TimeOf>
-Number mean_time(std::vector<Cost const*> const& costs, TimeOf const& time_of) {
-  double sum = 0.0;
-  for (Cost const* cost : costs) {
-    Number const time = time_of(*cost);
-    if (!time) return std::nullopt;
-    sum += *time;
-  }
-  return costs.empty() ? Number() : Number(sum / static_cast<double>(costs.size()));
-}
-
-Json mean_time_json(std::vector<Cost const*> const& costs) {
-  return time_json(mean_time(costs, [](Cost const& c) { return Number(c.seconds); }),
-                   {mean_time(costs, [](Cost const& c) { return c.median.median; }),
-                    mean_time(costs, [](Cost const& c) { return c.median.low; }),
-                    mean_time(costs, [](Cost const& c) { return c.median.high; })});
-}
-
 Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dictionary& word) {
   struct Level {
     double spacing = NAN;
@@ -166,8 +148,10 @@ Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
   }
   Json list = Json::array();
   for (auto const& [resolution, level] : levels) {
+    MeanTime const time = mean_time(level.timed);
     list.push_back({resolution, number(level.spacing), level.replicates, level.failed,
-                    level.failed > 0 ? word(level.status) : Json(nullptr), mean_time_json(level.timed)});
+                    level.failed > 0 ? word(level.status) : Json(nullptr),
+                    time_json(time.seconds, time.median)});
   }
   return list;
 }

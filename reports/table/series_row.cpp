@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/second_law_watched.hpp"
 
@@ -128,18 +129,6 @@ void read_second_law(RunRecord const& run, SeriesRow& row) {
   }
 }
 
-/// Empty if there are none, or one of them is empty.
-template <class TimeOf>
-Number mean_of(std::vector<Cost const*> const& costs, TimeOf const& time_of) {
-  double sum = 0.0;
-  for (Cost const* cost : costs) {
-    Number const time = time_of(*cost);
-    if (!time) return std::nullopt;
-    sum += *time;
-  }
-  return costs.empty() ? Number() : Number(sum / static_cast<double>(costs.size()));
-}
-
 void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesRow& row) {
   std::string status;
   int members = 0;
@@ -168,11 +157,9 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
     read_energy(run, row);
     read_second_law(run, row);
   }
-  row.seconds = mean_of(timed, [](Cost const& c) { return Number(c.seconds); });
-  for (Number MedianSeconds::*const part :
-       {&MedianSeconds::median, &MedianSeconds::low, &MedianSeconds::high}) {
-    row.median.*part = mean_of(timed, [part](Cost const& c) { return c.median.*part; });
-  }
+  MeanTime const time = mean_time(timed);
+  row.seconds = time.seconds;
+  row.median = time.median;
   if (failed > 0) row.failures = fmt::format("{} {}/{}", status, failed, members);
 }
 

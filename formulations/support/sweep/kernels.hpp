@@ -95,6 +95,12 @@ SPHVERIFY_INLINE void for_each_four(std::size_t i, std::uint32_t const* list, st
   block(rest, whole, Pack::size - (count - whole));
 }
 
+/// Whether the term divides by something of its own, which it names by `divisor`.
+template <class Term>
+inline constexpr bool divides = requires {
+  Term::has_divisor;
+};
+
 /// Terms one after the other; what std::tuple would be, were its calls sure to be inlined.
 template <class... Terms>
 struct TermList {
@@ -115,7 +121,7 @@ struct TermList<First, Rest...> {
   }
   /// Of the one term that has one.
   SPHVERIFY_INLINE static Pack divisor(auto const& i, auto const& j, auto const& W) {
-    if constexpr (requires { First::divisor(i, j, W); }) {
+    if constexpr (divides<First>) {
       return First::divisor(i, j, W);
     } else {
       return TermList<Rest...>::divisor(i, j, W);
@@ -139,6 +145,7 @@ inline constexpr bool reads_state_velocity = requires {
 /// A sweep whose terms are known when it is compiled.
 template <int Dim, Wrapping wrapping, bool drifts, class... Terms>
 void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
+  static_assert((0 + ... + static_cast<int>(divides<Terms>)) <= 1, "only one divisor is shared");
   constexpr RecordSlots slots = record_slots((Terms::reads | ...), Dim, false, drifts);
   constexpr std::size_t stride = slots.stride();
   double const h = plan.h;

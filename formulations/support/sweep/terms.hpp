@@ -84,6 +84,7 @@ template <int Dim>
 struct ViscosityTerm {
   static constexpr FieldSet reads{Field::mass, Field::density, Field::velocity, Field::sound_speed};
   static constexpr bool reads_state_velocity = true;
+  static constexpr bool has_divisor = true;
   static constexpr bool wants_radial = true;
   static constexpr int components = Dim + 2;
   MonaghanViscosity law;

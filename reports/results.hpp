@@ -120,6 +120,7 @@ struct StableStep {
 
 struct Stability {
   Number spectral_abscissa;    ///< largest real part of an eigenvalue of the linearised rate [1/s]
+  Number abscissa_uncertainty; ///< how far off that may be, by rounding and what the matrix is off [1/s]
   Number spectral_radius;      ///< largest modulus [1/s]
   Number largest_imaginary;    ///< largest imaginary part [1/s]
   Number largest_stable_step;  ///< of explicit Euler by theory [s]; empty where a mode grows

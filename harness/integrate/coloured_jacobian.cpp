@@ -6,6 +6,10 @@
 
 namespace sphverify {
 
+namespace {
+double const root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
+}  // namespace
+
 ColouredJacobian::ColouredJacobian(DependencyPattern pattern, Rate rate, bool affine, double scale)
     : pattern_(std::move(pattern)), rate_(std::move(rate)), affine_(affine), scale_(scale) {
   values_.resize(pattern_.column.size());
@@ -49,7 +53,6 @@ std::vector<double> const& ColouredJacobian::evaluate(double t, double const* y)
   std::size_t const n = pattern_.rows();
   std::vector<double> base(n), perturbed(y, y + n), changed(n);
   rate_(t, y, base.data());
-  double const root_epsilon = std::sqrt(std::numeric_limits<double>::epsilon());
   auto const step = [&](std::size_t column) {
     return affine_ ? scale_ : root_epsilon * std::max(std::abs(y[column]), scale_);
   };
@@ -65,6 +68,10 @@ std::vector<double> const& ColouredJacobian::evaluate(double t, double const* y)
   }
   known_ = true;
   return values_;
+}
+
+double ColouredJacobian::error() const {
+  return affine_ ? 16.0 * std::numeric_limits<double>::epsilon() : 4.0 * root_epsilon;
 }
 
 std::size_t ColouredJacobian::bytes() const {

@@ -31,6 +31,11 @@ class ColouredJacobian {
   /// Values in the order of the pattern.
   std::vector<double> const& evaluate(double t, double const* y);
 
+  /// What a value is off, as a part of the largest of its row: rounding of a difference of two rates, each
+  /// some times as large as the change; where a rate is not affine, the curvature over the root of the
+  /// machine precision besides.
+  double error() const;
+
   std::size_t bytes() const;
 
  private:

@@ -99,13 +99,24 @@ RitzPairs arnoldi(std::function<Eigen::VectorXd(Eigen::VectorXd const&)> const& 
 
 }  // namespace
 
-Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes) {
+Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error, bool all_modes) {
+  // Backward error of the QR algorithm, in parts of the matrix's norm; above what was ever seen of it.
+  constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
   Spectrum found;
   found.complete = true;
   Eigen::EigenSolver<Eigen::MatrixXd> const solver(matrix, true);
   found.eigenvalues.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
   found.worst = rightmost(found.eigenvalues);
   Eigen::MatrixXcd const vectors = solver.eigenvectors();
+  // The rows of the inverse are the left eigenvectors, of a length that makes their product with the right
+  // ones 1.
+  Eigen::MatrixXcd const inverse = vectors.inverse();
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
+    double const change = (rounding + matrix_error) * matrix.norm();
+    double const moved = inverse.row(k).norm() * vectors.col(k).norm() * change;
+    // A defective matrix may have no inverse at all; no eigenvalue is larger than the norm.
+    found.uncertainty.push_back(moved < matrix.norm() ? moved : matrix.norm());
+  }
   if (all_modes) {
     for (Eigen::Index k = 0; k < vectors.cols(); ++k) found.modes.emplace_back(vectors.col(k));
   } else {
@@ -120,16 +131,12 @@ Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes) {
 }
 
 Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values,
-                        std::size_t most_nonzeros) {
+                        double matrix_error, std::size_t most_nonzeros) {
   constexpr int directions = 300;
   constexpr int slow_directions = 60;
   constexpr double accuracy = 1e-8;
   SparseMatrix const matrix = sparse_matrix(pattern, values);
   Spectrum found;
-  auto const take = [&](std::complex<double> value, Eigen::VectorXcd vector) {
-    found.eigenvalues.push_back(value);
-    found.modes.push_back(std::move(vector));
-  };
   RitzPairs const outer = arnoldi([&](Eigen::VectorXd const& x) { return Eigen::VectorXd(matrix * x); },
                                   matrix.rows(), directions, accuracy);
   auto const by = [](auto const& measure) {
@@ -144,6 +151,11 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
     found.remark = "Arnoldi's method did not find the largest eigenvalues";
     return found;
   }
+  auto const take = [&](std::complex<double> value, Eigen::VectorXcd vector) {
+    found.eigenvalues.push_back(value);
+    found.uncertainty.push_back((accuracy + matrix_error) * radius);
+    found.modes.push_back(std::move(vector));
+  };
   for (std::size_t k = 0; k < outer.converged.size(); ++k) take(outer.converged[k], outer.vectors[k]);
   auto const highest = *std::max_element(outer.values.begin(), outer.values.end(), by(height));
   if (highest.imag() > 1e-6 * radius && !outer.has_converged(highest))
@@ -181,9 +193,9 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
   return found;
 }
 
-Spectrum spectrum(DependencyPattern const& pattern, std::vector<double> const& values) {
-  if (pattern.rows() > largest_dense_spectrum) return outer_spectrum(pattern, values);
-  return dense_spectrum(Eigen::MatrixXd(sparse_matrix(pattern, values)));
+Spectrum spectrum(DependencyPattern const& pattern, std::vector<double> const& values, double matrix_error) {
+  if (pattern.rows() > largest_dense_spectrum) return outer_spectrum(pattern, values, matrix_error);
+  return dense_spectrum(Eigen::MatrixXd(sparse_matrix(pattern, values)), matrix_error);
 }
 
 Stability stability_of(Spectrum const& spectrum) {
@@ -199,16 +211,19 @@ Stability stability_of(Spectrum const& spectrum) {
     radius = std::max(radius, std::abs(lambda));
     imaginary = std::max(imaginary, std::abs(lambda.imag()));
   }
-  double const growth = (spectrum.complete ? 1e-10 : 1e-8) * radius;
   std::uint64_t growing = 0;
   double step = std::numeric_limits<double>::infinity();
-  for (auto const& lambda : spectrum.eigenvalues) {
-    if (lambda.real() > growth) ++growing;
+  for (std::size_t k = 0; k < spectrum.eigenvalues.size(); ++k) {
+    auto const& lambda = spectrum.eigenvalues[k];
+    if (lambda.real() > spectrum.uncertainty[k]) ++growing;
     // A mode that only oscillates has no stable step, one that stands still (lambda = 0) any.
-    if (std::abs(lambda) > growth)
+    if (std::abs(lambda) > spectrum.uncertainty[k])
       step = std::min(step, std::max(0.0, -2.0 * lambda.real() / std::norm(lambda)));
   }
-  if (spectrum.knows_slowest || growing > 0) stability.spectral_abscissa = abscissa;
+  if (spectrum.knows_slowest || growing > 0) {
+    stability.spectral_abscissa = abscissa;
+    stability.abscissa_uncertainty = spectrum.uncertainty[spectrum.worst];
+  }
   stability.spectral_radius = radius;
   stability.largest_imaginary = imaginary;
   stability.unseen_modes = spectrum.unseen_modes;

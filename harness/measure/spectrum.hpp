@@ -20,6 +20,8 @@ inline constexpr std::size_t most_factorised_nonzeros = 1'000'000;
 /// Eigenvalues of a linear operator [1/s] and what else is known of it.
 struct Spectrum {
   std::vector<std::complex<double>> eigenvalues;  ///< all of them, or those found
+  /// How far each may be off, by what the matrix is off and by rounding [1/s].
+  std::vector<double> uncertainty;
   bool complete = false;
   std::vector<Eigen::VectorXcd> modes;        ///< one per eigenvalue, or only `worst`'s
   std::size_t worst = 0;                      ///< which eigenvalue has the largest real part
@@ -30,23 +32,27 @@ struct Spectrum {
 
 /// All eigenvalues and the worst mode by Eigen's dense solver; the kernel by its singular values, so that
 /// what defective zero eigenvalues hide is counted too: singular values below 1e-12 of the largest times the
-/// operator's size are zero.
+/// operator's size are zero. To first order an eigenvalue is off by at most what the matrix is off (its
+/// Frobenius norm) times 1/|y* x|, of its left and right eigenvectors of length 1 (Wilkinson, The Algebraic
+/// Eigenvalue Problem, 1965, chapter 2); a defective one so has the root of it, as it must.
+/// @param matrix_error what the matrix is off, as a part of it
 /// @param all_modes whether the modes of all eigenvalues are wanted
-Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, bool all_modes = false);
+Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error, bool all_modes = false);
 
 /// The outermost eigenvalues of a sparse matrix by Arnoldi's method, and those nearest to a point just right
 /// of zero by its shifted inverse, since slow modes hide from the former. Every one of them has a small
-/// residual. The latter are left out, with a remark, where more than `most_nonzeros` would be factorised.
+/// residual. The latter are left out, with a remark, where more than `most_nonzeros` would be factorised. Of
+/// the uncertainty only what the residuals and the matrix are off is known, not by what eigenvectors that are
+/// not orthogonal multiply it.
 Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> const& values,
-                        std::size_t most_nonzeros = most_factorised_nonzeros);
+                        double matrix_error, std::size_t most_nonzeros = most_factorised_nonzeros);
 
 /// The one of the two that suits the size.
-Spectrum spectrum(DependencyPattern const& pattern, std::vector<double> const& values);
+Spectrum spectrum(DependencyPattern const& pattern, std::vector<double> const& values, double matrix_error);
 
 /// What the eigenvalues say: abscissa, radius, growing modes, and the largest stable step of explicit Euler,
-/// min over moving modes of -2 Re(lambda)/|lambda|^2. A mode grows if its real part exceeds 1e-10 of the
-/// radius; found by Arnoldi's method, 1e-8. The abscissa is left out where the slowest modes are not known
-/// and none of the others grows.
+/// min over moving modes of -2 Re(lambda)/|lambda|^2. A mode grows if its real part exceeds its uncertainty.
+/// The abscissa is left out where the slowest modes are not known and none of the others grows.
 Stability stability_of(Spectrum const& spectrum);
 
 }  // namespace sphverify

@@ -46,19 +46,22 @@ std::complex<double> amplification(ButcherTable const& method, std::complex<doub
       });
 }
 
-StableStep stable_step(ButcherTable const& method, std::vector<std::complex<double>> const& eigenvalues) {
-  constexpr double round_off = 1e-9;  // of the eigenvalues, over the radius
-  constexpr double stride = 0.01;     // in |lambda| dt
-  constexpr double farthest = 20.0;   // no method of these is stable beyond
+StableStep stable_step(ButcherTable const& method, Spectrum const& spectrum) {
+  constexpr double round_off = 1e-13;  // of R
+  constexpr double stride = 0.01;      // in |lambda| dt
+  constexpr double farthest = 20.0;    // no method of these is stable beyond
   double radius = 0.0;
-  for (auto const& lambda : eigenvalues) radius = std::max(radius, std::abs(lambda));
+  for (auto const& lambda : spectrum.eigenvalues) radius = std::max(radius, std::abs(lambda));
   StableStep result;
   double longest = std::numeric_limits<double>::infinity();
-  for (auto const& lambda : eigenvalues) {
+  for (std::size_t k = 0; k < spectrum.eigenvalues.size(); ++k) {
+    auto const& lambda = spectrum.eigenvalues[k];
     double const size = std::abs(lambda);
-    if (size <= round_off * radius) continue;  // does not move
+    if (size <= spectrum.uncertainty[k]) continue;  // does not move
     auto const holds = [&](double z) {
-      return std::abs(amplification(method, lambda / size * z)) <= 1.0 + round_off * radius * z / size;
+      // For small z what lambda is off moves |R| by as much times the step.
+      return std::abs(amplification(method, lambda / size * z)) <=
+             1.0 + round_off + spectrum.uncertainty[k] * z / size;
     };
     // A slow mode is looked at too: however short the steps, what grows by itself grows.
     double const end = std::min(farthest, longest * size);
@@ -69,7 +72,7 @@ StableStep stable_step(ButcherTable const& method, std::vector<std::complex<doub
       high = std::min(high + stride, end);
     }
     if (holds(high)) continue;
-    for (int k = 0; k < 40; ++k) {
+    for (int halving = 0; halving < 40; ++halving) {
       double const middle = 0.5 * (low + high);
       (holds(middle) ? low : high) = middle;
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "harness/measure/spectrum.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
@@ -24,9 +25,9 @@ std::vector<ButcherTable> const& explicit_methods();
 /// R(z): by what one step multiplies a solution of dy/dt = lambda y, z = lambda dt.
 std::complex<double> amplification(ButcherTable const& method, std::complex<double> z);
 
-/// The longest step up to which |R(lambda dt)| <= 1 for every eigenvalue. What grows by itself has none.
-/// @param eigenvalues [1/s]
-StableStep stable_step(ButcherTable const& method, std::vector<std::complex<double>> const& eigenvalues);
+/// The longest step up to which |R(lambda dt)| <= 1 for every eigenvalue, within its uncertainty. What grows
+/// by itself has none.
+StableStep stable_step(ButcherTable const& method, Spectrum const& spectrum);
 
 /// The same by experiment: steps of the method on the rate itself, from a state about which it is linearised,
 /// with a perturbation of all wavelengths that is kept small; bisected to 0.2%.

@@ -320,19 +320,19 @@ class ConductionRun {
       return;
     }
     ColouredJacobian& jacobian = conduction_.jacobian();
-    Spectrum const found =
-        spectrum(jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()));
+    Spectrum const found = spectrum(
+        jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()), jacobian.error());
     stability = stability_of(found);
     if (stability.spectral_abscissa) {
       stability.worst_mode = mode_shape(found.eigenvalues[found.worst], found.modes[found.worst], particles_,
                                         problem_.domain, problem_.walls, conduction_.scene().spacing());
     }
-    if (found.complete) measure_stable_steps(found.eigenvalues);
+    if (found.complete) measure_stable_steps(found);
     if (!options_.measure.contains(Measure::spectrum)) return;
     for (auto const& lambda : found.eigenvalues) record_.spectrum.push_back({lambda.real(), lambda.imag()});
   }
 
-  void measure_stable_steps(std::vector<std::complex<double>> const& eigenvalues) {
+  void measure_stable_steps(Spectrum const& found) {
     Stability& stability = *record_.stability;
     auto const out_of_time = [&] {
       if (options_.interrupted && *options_.interrupted) throw Interrupted();
@@ -345,7 +345,7 @@ class ConductionRun {
     // Affine rates may be perturbed by any amount; others by little enough to stay on the tangent.
     double const amplitude = (problem_.conducts_linearly() ? 1.0 : 1e-6) * scale_;
     for (ButcherTable const& method : explicit_methods()) {
-      StableStep& step = stability.stable_steps[method.name] = stable_step(method, eigenvalues);
+      StableStep& step = stability.stable_steps[method.name] = stable_step(method, found);
       if (!options_.measure.contains(Measure::stable_step) || !step.theory) continue;
       step.measured = measured_stable_step(method, rate, exact_, amplitude, *step.theory, out_of_time);
       if (!step.measured)

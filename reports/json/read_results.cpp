@@ -110,6 +110,7 @@ Mode read_mode(Node const& node) {
 Stability read_stability(Node const& node) {
   Stability s;
   s.spectral_abscissa = optional_number(node.at("spectral_abscissa"));
+  s.abscissa_uncertainty = optional_number(node.at("abscissa_uncertainty"));
   s.spectral_radius = optional_number(node.at("spectral_radius"));
   s.largest_stable_step = optional_number(node.at("largest_stable_step"));
   if (!node.at("growing_modes").is_null()) s.growing_modes = count(node.at("growing_modes"));

@@ -133,6 +133,7 @@ Json to_json(Stability const& s) {
         {"theory", number(step.theory)}, {"measured", number(step.measured)}, {"remark", step.remark}};
   }
   Json json = {{"spectral_abscissa", number(s.spectral_abscissa)},
+               {"abscissa_uncertainty", number(s.abscissa_uncertainty)},
                {"spectral_radius", number(s.spectral_radius)},
                {"largest_imaginary", number(s.largest_imaginary)},
                {"largest_stable_step", number(s.largest_stable_step)},

@@ -158,7 +158,7 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
     View<Dim, ReadOwn> const self(slots, ReadOwn{own});
     for_each_four(
         i, plan.neighbour + plan.first[i], plan.first[i + 1] - plan.first[i],
-        [&](std::uint32_t const* four, std::size_t, std::size_t idle) __attribute__((always_inline)) {
+        [&](std::uint32_t const* four, std::size_t, std::size_t idle) SPHVERIFY_FORCE_INLINE {
           double const* const a = records + four[0] * stride;
           double const* const b = records + four[1] * stride;
           double const* const c = records + four[2] * stride;
@@ -235,7 +235,7 @@ class Gatherer {
     for_each_four(
         i, list, count,
         [&](std::uint32_t const* four, std::size_t k, std::size_t idle)
-            __attribute__((always_inline)) { add(own, four, k, idle); });
+            SPHVERIFY_FORCE_INLINE { add(own, four, k, idle); });
     std::size_t const padded = (count + Pack::size - 1) / Pack::size * Pack::size;
     double const h = own_lengths ? own[plan_.slots.h] : h_;
     return {plan_.slots, own, columns_, distance_, radial_, padded, h};

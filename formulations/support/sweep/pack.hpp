@@ -9,7 +9,14 @@
 #error "only for files that are compiled once per instruction set (kernels_*.cpp)"
 #endif
 
-#define SPHVERIFY_INLINE [[gnu::always_inline]] inline
+// Nothing is inlined by force where sanitizers add checks to every access: functions of a whole sweep would take
+// half an hour to compile.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SPHVERIFY_FORCE_INLINE
+#else
+#define SPHVERIFY_FORCE_INLINE __attribute__((always_inline))
+#endif
+#define SPHVERIFY_INLINE SPHVERIFY_FORCE_INLINE inline
 
 namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 

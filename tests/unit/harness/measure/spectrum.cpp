@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
+#include <random>
 #include <utility>
 
 BOOST_AUTO_TEST_SUITE(harness_measure_spectrum)
@@ -13,9 +15,10 @@ using Complex = std::complex<double>;
 
 namespace {
 
-Spectrum complete(std::vector<Complex> eigenvalues) {
+Spectrum complete(std::vector<Complex> eigenvalues, double uncertainty = 0.0) {
   Spectrum all;
   all.eigenvalues = std::move(eigenvalues);
+  all.uncertainty.assign(all.eigenvalues.size(), uncertainty);
   all.complete = true;
   return all;
 }
@@ -25,7 +28,7 @@ Spectrum complete(std::vector<Complex> eigenvalues) {
 BOOST_AUTO_TEST_CASE(eigenvalues_of_a_sparse_operator_are_those_of_its_matrix) {
   // [[-1, 2, 0], [-2, -1, 0], [0, 5, -4]]: -1 +- 2i and -4.
   DependencyPattern const pattern{{0, 2, 4, 6}, {0, 1, 0, 1, 1, 2}};
-  auto found = spectrum(pattern, {-1.0, 2.0, -2.0, -1.0, 5.0, -4.0});
+  auto found = spectrum(pattern, {-1.0, 2.0, -2.0, -1.0, 5.0, -4.0}, 0.0);
   BOOST_TEST_REQUIRE(found.eigenvalues.size() == 3u);
   for (Complex const expected : {Complex(-1.0, 2.0), Complex(-1.0, -2.0), Complex(-4.0, 0.0)}) {
     BOOST_TEST(std::any_of(found.eigenvalues.begin(), found.eigenvalues.end(),
@@ -44,7 +47,7 @@ BOOST_AUTO_TEST_CASE(eigenvalues_of_the_second_difference_are_known) {
     }
     pattern.first.push_back(static_cast<std::int64_t>(values.size()));
   }
-  Stability const s = stability_of(spectrum(pattern, values));
+  Stability const s = stability_of(spectrum(pattern, values, 0.0));
   double const angle = std::acos(-1.0) / (2.0 * (n + 1.0));
   BOOST_TEST(*s.spectral_radius == 4.0 * std::pow(std::cos(angle), 2), tolerance(1e-12));
   BOOST_TEST(*s.spectral_abscissa == -4.0 * std::pow(std::sin(angle), 2), tolerance(1e-10));
@@ -68,7 +71,7 @@ BOOST_AUTO_TEST_CASE(a_mode_that_grows_leaves_no_stable_step) {
 }
 
 BOOST_AUTO_TEST_CASE(a_zero_that_round_off_made_positive_does_not_grow) {
-  Stability const s = stability_of(complete({{-100.0, 0.0}, {1e-10, 0.0}}));
+  Stability const s = stability_of(complete({{-100.0, 0.0}, {1e-10, 0.0}}, 1e-9));
   BOOST_TEST(*s.growing_modes == 0u);
   BOOST_TEST(*s.largest_stable_step == 0.02, tolerance(1e-12));
 }
@@ -94,8 +97,8 @@ BOOST_AUTO_TEST_CASE(arnoldi_finds_what_the_dense_solver_finds) {
   DependencyPattern pattern;
   std::vector<double> values;
   ring(200, pattern, values);
-  Stability const all = stability_of(spectrum(pattern, values));
-  Stability const outer = stability_of(outer_spectrum(pattern, values));
+  Stability const all = stability_of(spectrum(pattern, values, 0.0));
+  Stability const outer = stability_of(outer_spectrum(pattern, values, 0.0));
   BOOST_TEST(all.method == "dense");
   BOOST_TEST(outer.method == "arnoldi");
   BOOST_TEST(outer.remark == "");
@@ -110,8 +113,8 @@ BOOST_AUTO_TEST_CASE(
   DependencyPattern pattern;
   std::vector<double> values;
   ring(200, pattern, values);
-  Stability const whole = stability_of(outer_spectrum(pattern, values));
-  Stability const outer = stability_of(outer_spectrum(pattern, values, values.size() - 1));
+  Stability const whole = stability_of(outer_spectrum(pattern, values, 0.0));
+  Stability const outer = stability_of(outer_spectrum(pattern, values, 0.0, values.size() - 1));
   BOOST_TEST(*outer.spectral_radius == *whole.spectral_radius, tolerance(1e-12));
   BOOST_TEST(outer.remark ==
              "the slowest eigenvalues are not looked for in more than 599 nonzeros, found 600");
@@ -127,7 +130,7 @@ BOOST_AUTO_TEST_CASE(
         values[static_cast<std::size_t>(k)] = 9.0;
     }
   }
-  Stability const growing = stability_of(outer_spectrum(pattern, values, values.size() - 1));
+  Stability const growing = stability_of(outer_spectrum(pattern, values, 0.0, values.size() - 1));
   BOOST_TEST(*growing.spectral_abscissa > 8.0);
   BOOST_TEST(!growing.growing_modes.has_value());
 }
@@ -136,7 +139,7 @@ BOOST_AUTO_TEST_CASE(the_worst_mode_is_an_eigenvector) {
   DependencyPattern pattern;
   std::vector<double> values;
   ring(100, pattern, values);
-  for (Spectrum const& found : {spectrum(pattern, values), outer_spectrum(pattern, values)}) {
+  for (Spectrum const& found : {spectrum(pattern, values, 0.0), outer_spectrum(pattern, values, 0.0)}) {
     Eigen::VectorXcd const& v = found.modes[found.worst];
     Complex const lambda = found.eigenvalues[found.worst];
     double defect = 0.0;
@@ -158,13 +161,73 @@ BOOST_AUTO_TEST_CASE(states_that_an_operator_does_not_see_are_counted) {
     difference(i, (i + 1) % 12) = 0.5;
     difference(i, (i + 11) % 12) = -0.5;
   }
-  BOOST_TEST(*dense_spectrum(difference * difference).unseen_modes == 2u);
-  BOOST_TEST(*dense_spectrum(Eigen::MatrixXd(-Eigen::MatrixXd::Identity(5, 5))).unseen_modes == 0u);
+  BOOST_TEST(*dense_spectrum(difference * difference, 0.0).unseen_modes == 2u);
+  BOOST_TEST(*dense_spectrum(Eigen::MatrixXd(-Eigen::MatrixXd::Identity(5, 5)), 0.0).unseen_modes == 0u);
   // A zero eigenvalue without a second eigenvector counts once.
   Eigen::MatrixXd defective = Eigen::MatrixXd::Zero(3, 3);
   defective(0, 1) = 1.0;
   defective(2, 2) = -1.0;
-  BOOST_TEST(*dense_spectrum(defective).unseen_modes == 1u);
+  BOOST_TEST(*dense_spectrum(defective, 0.0).unseen_modes == 1u);
+}
+
+/// Largest change of an eigenvalue, over its uncertainty, when entries are changed at random by a part of the
+/// largest; pairs are those nearest to each other.
+double largest_excess(Eigen::MatrixXd const& matrix, double part) {
+  Spectrum const before = dense_spectrum(matrix, part);
+  std::mt19937_64 random(7);
+  double excess = 0.0;
+  for (int trial = 0; trial < 20; ++trial) {
+    Eigen::MatrixXd change(matrix.rows(), matrix.cols());
+    for (double& value : change.reshaped()) value = static_cast<double>(random() >> 11) * 0x1p-52 - 1.0;
+    change *= part * matrix.norm() / change.norm();
+    Spectrum const after = dense_spectrum(matrix + change, 0.0);
+    for (Complex const& lambda : after.eigenvalues) {
+      double nearest = std::numeric_limits<double>::infinity();
+      for (std::size_t k = 0; k < before.eigenvalues.size(); ++k)
+        nearest = std::min(nearest, std::abs(lambda - before.eigenvalues[k]) / before.uncertainty[k]);
+      excess = std::max(excess, nearest);
+    }
+  }
+  return excess;
+}
+
+BOOST_AUTO_TEST_CASE(eigenvalues_move_no_further_than_their_uncertainty) {
+  // Symmetric, far from normal (uncertainties span decades), and all but defective.
+  Eigen::MatrixXd symmetric = Eigen::MatrixXd::Zero(30, 30);
+  for (Eigen::Index i = 0; i < 30; ++i) {
+    symmetric(i, i) = -2.0;
+    if (i > 0) symmetric(i, i - 1) = symmetric(i - 1, i) = 1.0;
+  }
+  Eigen::MatrixXd skewed = symmetric;
+  for (Eigen::Index i = 1; i < 30; ++i) skewed(i, i - 1) = 0.4;
+  for (Eigen::MatrixXd const& matrix : {symmetric, skewed}) {
+    double const excess = largest_excess(matrix, 1e-13);
+    BOOST_TEST(excess < 1.0);
+    // Nor is it so careful that it says nothing.
+    BOOST_TEST(excess > 1e-3);
+  }
+  // A defective pair goes by the root of the change: 1e-8 of the norm for rounding alone.
+  Eigen::MatrixXd defective = Eigen::MatrixXd::Zero(3, 3);
+  defective << -1.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, -5.0;
+  BOOST_TEST(largest_excess(defective, 1e-13) < 10.0);
+  Spectrum const found = dense_spectrum(defective + 1e-15 * Eigen::MatrixXd::Ones(3, 3), 0.0);
+  for (std::size_t k = 0; k < 3; ++k) {
+    bool const is_pair = std::abs(found.eigenvalues[k] + 1.0) < 0.1;
+    BOOST_TEST((found.uncertainty[k] > 1e-9) == is_pair);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_mode_that_the_matrix_cannot_tell_from_rest_does_not_grow) {
+  // 1e-9 of growth beside a radius of 1: certain from exact entries, not from entries that are off by 1e-8.
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(2, 2);
+  matrix(0, 0) = 1e-9;
+  matrix(1, 1) = -1.0;
+  Stability const certain = stability_of(dense_spectrum(matrix, 0.0));
+  BOOST_TEST(*certain.growing_modes == 1u);
+  BOOST_TEST(*certain.abscissa_uncertainty < 1e-14);
+  Stability const uncertain = stability_of(dense_spectrum(matrix, 1e-8));
+  BOOST_TEST(*uncertain.growing_modes == 0u);
+  BOOST_TEST(*uncertain.abscissa_uncertainty == 1e-8, tolerance(1e-6));
 }
 
 BOOST_AUTO_TEST_SUITE_END()

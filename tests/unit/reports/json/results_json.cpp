@@ -71,6 +71,7 @@ RunRecord full_run() {
   r.cost = cost;
   Stability stability;
   stability.spectral_abscissa = 5.1;
+  stability.abscissa_uncertainty = 5.15;
   stability.spectral_radius = 5.2;
   stability.largest_imaginary = 5.3;
   stability.growing_modes = 6;

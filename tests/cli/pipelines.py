@@ -1,7 +1,7 @@
 """Carries out CI jobs as GitHub Actions and GitLab CI do, as far as the examples in examples/ci need it.
 
-Commands run as they stand, in the shell that the service would use. What comes from outside is a stand-in: programs that
-install and compile (STAND_INS) are noted and do nothing, but `cmake --build` leaves the program that is tested.
+Commands run as they stand, in the shell that the service would use. What comes from outside is a stand-in: programs
+that install and compile (STAND_INS) are noted and do nothing, but `cmake --build` leaves the program that is tested.
 """
 
 import os

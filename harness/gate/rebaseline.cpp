@@ -43,7 +43,7 @@ Rebaseline plan_rebaseline(Gates const& gates, Results const& results, std::stri
     }
     auto const now = measure(gate, results, gates.file);
     if (now.empty())
-      throw UserError(gates.file, gate.key + ".select", why_empty(gate.select, results), "a run");
+      throw UserError(gates.file, gate.key + ".select", why_empty(gate, results), "a run");
     auto const& old_results = before.at(path);
     auto const old = old_results ? measure_baseline(gate, *old_results) : std::vector<Measured>{};
     for (Measured const& m : now) {

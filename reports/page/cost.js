@@ -112,6 +112,7 @@ function costSection(view) {
             `${view.series.length} have some, listed under Failures.`
           : ""),
     ),
+    disturbanceNote(view.doc),
     drawn,
     element(
       "details",

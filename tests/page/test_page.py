@@ -180,6 +180,13 @@ class PageTest(program.ProgramTest):
         maker.write("odd.json", odd)
         maker.succeed("report", cls.place / "heat.json", "-o", cls.place / "heat.html")
         maker.succeed("report", cls.place / "odd.json", "-o", cls.place / "odd.html")
+        timed = [run for run in odd["runs"] if run["cost"]]
+        for name, least in (("quiet", 1.0), ("disturbed", 0.5)):
+            for run in timed:
+                run["cost"]["busy"] = 1.0
+            timed[-1]["cost"]["busy"] = least
+            maker.write(f"{name}.json", odd)
+            maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
         maker.study(RATES, "rates.json")
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
         cls.stable = maker.study(STABLE, "stable.json")
@@ -188,6 +195,9 @@ class PageTest(program.ProgramTest):
         for run in unknown["runs"]:
             if run["label"] == "conduction/brookshaw" or run["discretisation"]["layout"] == "lattice":
                 run["stability"] |= {"growing_modes": None, "worst_mode": None, "remark": "too many unknowns"}
+        for run in unknown["runs"]:
+            if run["label"] == "conduction/campbell-flux" and run["stability"]["growing_modes"]:
+                run["stability"]["growing_modes"] = None
         maker.write("unknown.json", unknown)
         maker.succeed("report", cls.place / "unknown.json", "-o", cls.place / "unknown.html")
         cls.resting = maker.study(RESTING, "resting.json")
@@ -313,12 +323,43 @@ class PageTest(program.ProgramTest):
             if "history" in run and run["case"] == "conduction/slab-dirichlet"
         }
         self.assertEqual(self.count("history", "g[aria-label=line] path"), len(kept))
-        growing = self.count("spectrum", "g[aria-description='growing mode'] path")
-        self.assertGreater(growing, 0)
+        # Of each ladder one replicate; what grows in it is what the document counts.
+        counted = 0
+        for series in self.heat["series"]:
+            if series["case"] != "conduction/slab-dirichlet":
+                continue
+            runs = [self.heat["runs"][run] for run in series["runs"]]
+            finest = [run for run in runs if run["resolution"] == 50 and "spectrum" in run]
+            most = max(finest, key=lambda run: max(real for real, _ in run["spectrum"]))
+            counted += most["stability"]["growing_modes"]
+        self.assertGreater(counted, 0)
+        self.assertEqual(self.count("spectrum", "g[aria-description='growing mode'] path"), counted)
         self.assertEqual(self.all("section.envelope"), [])
         self.open("odd.html")
         self.assertEqual(self.count("envelope", "g[aria-description=failed] path"), 1)
         self.assertEqual(self.count("envelope", "g[aria-description=held] line"), 1)
+
+    def test_a_number_of_growing_modes_that_is_not_known_is_not_made_up(self):
+        self.open("unknown.html")
+        captions = [node.text for node in self.all("section.spectrum figcaption")]
+        self.assertTrue(any("the document does not say what grows" in text for text in captions), captions)
+        # A worst mode without a number of those that grow: it alone is known to.
+        self.assertEqual(self.count("spectrum", "g[aria-description='growing mode'] path"), 1)
+
+    def test_warns_of_disturbed_timings(self):
+        self.open("disturbed.html")
+        for section in ("summary", "cost"):
+            self.assertIn("Disturbed timings: 1 of ", self.one(f"section.{section} .disturbed").text)
+        self.open("quiet.html")
+        self.assertEqual(self.all(".disturbed"), [])
+
+    def test_the_verdict_names_the_setting_of_each_number_and_fits_the_page(self):
+        self.open("heat.html")
+        settings = self.cells("Verdict on conduction/slab-dirichlet", "setting")
+        self.assertTrue(all(settings), settings)
+        self.assertTrue(any(text.startswith("1%: ") and "smallest error: " in text for text in settings), settings)
+        for table in self.all(".verdict .scroll"):
+            self.assertLessEqual(*(int(table.get_property(key)) for key in ("scrollWidth", "clientWidth")))
 
     def test_draws_how_far_a_parameter_was_driven_down(self):
         self.open("driven.html")

@@ -1,5 +1,8 @@
 #include "reports/table/legend.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <sstream>
 
@@ -20,7 +23,7 @@ BOOST_AUTO_TEST_CASE(on_a_terminal_marks_share_lines_and_sentences_do_not) {
 
 BOOST_AUTO_TEST_CASE(lines_end_before_the_terminal_does) {
   std::vector<LegendEntry> many(30, {"mark", "means something"});
-  many.push_back({"", std::string(60, 'a') + " " + std::string(60, 'b')});
+  many.push_back({"", fmt::format("{:a<60} {:b<60}", "", "")});
   std::istringstream text(legend(many, TableFormat::table));
   std::size_t marks = 0;
   for (std::string line; std::getline(text, line);) {
@@ -28,6 +31,10 @@ BOOST_AUTO_TEST_CASE(lines_end_before_the_terminal_does) {
     for (std::size_t at = 0; (at = line.find("mark:", at)) != std::string::npos; ++at) ++marks;
   }
   BOOST_TEST(marks == 30u);
+  // Two of 49 columns and what is between them are 101.
+  LegendEntry const half{"m", std::string(46, 'a')};
+  std::string const two = legend({half, half}, TableFormat::table);
+  BOOST_TEST(std::count(two.begin(), two.end(), '\n') == 2);
 }
 
 BOOST_AUTO_TEST_CASE(in_markdown_it_is_a_list_whose_marks_are_not_markup) {

@@ -63,8 +63,8 @@ void add_compare(CLI::App& app) {
                   "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
       ->check(CLI::IsMember({"l1", "l2", "linf"}));
   sub->add_option("--section", command->options.section,
-                  "series, envelopes or changes (of every document against the first); default: all, of csv "
-                  "series; json always holds all")
+                  "series, envelopes or changes (of every document against the\n"
+                  "first); default: all, of csv series; json always holds all")
       ->check(CLI::IsMember({"series", "envelopes", "changes"}));
   sub->footer(
       "Example: sphverify compare results.json --region wall --norm linf\n"

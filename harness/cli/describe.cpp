@@ -1,10 +1,15 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <memory>
+#include <sstream>
 
 #include "harness/cli/catalogue.hpp"
 #include "harness/cli/commands.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/listed_identifiers.hpp"
+#include "reports/table/number_text.hpp"
 
 namespace sphverify {
 
@@ -15,9 +20,16 @@ struct DescribeOptions {
   bool json = false;
 };
 
+/// Lines of text, indented; on a terminal broken where they do not fit, the rest a little further in.
 std::string indented(std::string const& text) {
-  std::string out = "  ";
-  for (char const c : text) out += c == '\n' ? std::string("\n  ") : std::string(1, c);
+  bool const is_terminal = isatty(STDOUT_FILENO) != 0;
+  std::string out;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::size_t const blanks = std::min(line.find_first_not_of(' '), line.size());
+    std::string const head(2 + blanks, ' ');
+    out += is_terminal ? hanging_lines(head, line.substr(blanks), head.size() + 2) : "  " + line + "\n";
+  }
   return out;
 }
 
@@ -28,7 +40,9 @@ void describe(DescribeOptions const& options) {
     ids.push_back(entry.id);
     if (entry.id == options.id && found == nullptr) found = &entry;
   }
-  if (found == nullptr) throw UserError("describe", "ID", "'" + options.id + "'", one_of(options.id, ids));
+  if (found == nullptr)
+    throw UserError("describe", "ID", "'" + options.id + "'",
+                    one_listed_by("sphverify list", options.id, ids));
   Json const details = found->details();
   if (options.json) {
     Json document = {{"schema", "sphverify-description/1"},
@@ -39,14 +53,14 @@ void describe(DescribeOptions const& options) {
     write_document("-", document_text(document));
     return;
   }
-  std::string text = fmt::format("{}\n  {}\n", found->id, found->title);
+  std::string text = found->id + "\n" + indented(found->title);
   for (auto const& [label, value] : details.items()) {
     if (value.is_null() || value.empty() || (value.is_string() && value.get<std::string>().empty())) continue;
     text += fmt::format("\n{}\n", label);
     if (value.is_string()) {
-      text += indented(value.get<std::string>()) + "\n";
+      text += indented(value.get<std::string>());
     } else {
-      for (Json const& line : value) text += fmt::format("  {}\n", line.get<std::string>());
+      for (Json const& line : value) text += indented(line.get<std::string>());
     }
   }
   write_document("-", text);

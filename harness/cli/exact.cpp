@@ -7,6 +7,7 @@
 #include "cases/support/case.hpp"
 #include "harness/cli/commands.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/listed_identifiers.hpp"
 
 namespace sphverify {
 
@@ -135,7 +136,8 @@ void exact(ExactCommand const& command) {
   if (found == nullptr) {
     std::vector<std::string> ids;
     for (Case const& one : all_cases()) ids.push_back(one.info.id);
-    throw UserError("exact", "CASE", "'" + command.case_id + "'", one_of(command.case_id, ids));
+    throw UserError("exact", "CASE", "'" + command.case_id + "'",
+                    one_listed_by("sphverify list cases", command.case_id, ids));
   }
   Parameters const parameters = read_parameters(found->info, command.parameters);
   if (!(command.time >= 0.0) || !std::isfinite(command.time)) {

@@ -84,8 +84,8 @@ void add_gate(CLI::App& app) {
   auto* junit = sub->add_option("--junit", command->junit, "Writes the verdicts as JUnit XML");
   auto* markdown = sub->add_option("--markdown", command->markdown, "Writes a summary in Markdown");
   sub->add_flag("--rebaseline", command->rebaseline,
-                "Judges nothing: prints old, new and difference of every gate that has a baseline, then "
-                "overwrites the baseline files with RESULTS.json")
+                "Judges nothing: prints old, new and difference of every gate that has\n"
+                "a baseline, then overwrites the baseline files with RESULTS.json")
       ->excludes(junit)
       ->excludes(markdown);
   sub->footer(

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <memory>
 
 #include "harness/cli/catalogue.hpp"
 #include "harness/cli/commands.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/table/number_text.hpp"
 
 namespace sphverify {
 
@@ -29,6 +31,8 @@ void list(ListOptions const& options) {
     write_document("-", document_text(document));
     return;
   }
+  // Off a terminal an entry is one line, for grep.
+  bool const is_terminal = isatty(STDOUT_FILENO) != 0;
   std::string text;
   for (std::string const& kind : catalogue_kinds()) {
     if (!options.kind.empty() && options.kind != kind) continue;
@@ -36,7 +40,9 @@ void list(ListOptions const& options) {
     for (CatalogueEntry const& entry : catalogue()) {
       if (entry.kind != kind) continue;
       std::string const source = entry.source.empty() ? "" : fmt::format(" ({})", entry.source);
-      text += fmt::format("{}{:<27} {}{}\n", options.kind.empty() ? "  " : "", entry.id, entry.title, source);
+      std::string const head = fmt::format("{}{:<29} ", options.kind.empty() ? "  " : "", entry.id);
+      std::string const words = entry.title + source;
+      text += is_terminal ? hanging_lines(head, words, head.size()) : head + words + "\n";
     }
   }
   write_document("-", text);

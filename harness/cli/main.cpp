@@ -35,9 +35,8 @@ void require_known_command(CLI::App const& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace sphverify;
   CLI::App app{
-      "sphverify runs formulations of smoothed particle hydrodynamics with walls on cases that have an "
-      "exact\n"
-      "solution, and reports errors, observed orders, conservation, cost and stability as JSON."};
+      "sphverify runs formulations of smoothed particle hydrodynamics with walls on cases that have\n"
+      "an exact solution, and reports errors, observed orders, conservation, cost and stability as JSON."};
   app.footer(
       "Examples:\n"
       "  sphverify list formulations\n"

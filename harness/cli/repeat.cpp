@@ -4,6 +4,7 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/study/expand.hpp"
+#include "reports/agreement.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -12,7 +13,7 @@ namespace {
 
 struct RepeatCommand {
   std::string document;
-  std::size_t run = 0;
+  std::int64_t run = 0;
   std::string output = "-";
 };
 
@@ -49,11 +50,13 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
 void repeat(RepeatCommand const& command) {
   require_writable(command.output, command.document);
   Results const results = read_results(command.document);
-  if (command.run >= results.runs.size()) {
+  if (results.runs.empty())
+    throw UserError(command.document, "runs", "an empty list", "a document of a study that ran something");
+  if (command.run < 0 || command.run >= static_cast<std::int64_t>(results.runs.size())) {
     throw UserError(command.document, "RUN", std::to_string(command.run),
-                    fmt::format("an index below {}, the number of its runs", results.runs.size()));
+                    fmt::format("an index from 0 to {}", results.runs.size() - 1));
   }
-  RunRecord const& before = results.runs[command.run];
+  RunRecord const& before = results.runs[static_cast<std::size_t>(command.run)];
   Study const study = study_of(results, before, command.document);
   Expansion const expansion = expand(study);
   if (expansion.runs.empty()) {
@@ -68,8 +71,8 @@ void repeat(RepeatCommand const& command) {
   auto const said = [](RunRecord const& run) {
     return run.reason.empty() ? run.status : run.status + ": " + run.reason;
   };
-  fmt::print(stderr, "run {}: {} on {}\n  recorded  {}\n  now       {}\n", command.run, now.label,
-             now.case_id, said(before), said(now));
+  fmt::print(stderr, "run {}: {} on {}\n  recorded  {}\n  now       {}\n  numbers   {}\n", command.run,
+             now.label, now.case_id, said(before), said(now), agreement_text(agreement(before, now)));
   write_document(command.output, document_text(to_json(now)));
 }
 
@@ -81,7 +84,10 @@ void add_repeat(CLI::App& app) {
   sub->add_option("RESULTS.json", command->document, "The results document")->required();
   sub->add_option("RUN", command->run, "Which of its runs, counted from 0")->required();
   sub->add_option("-o,--output", command->output, "Where the run's record goes; standard output by default");
-  sub->footer("Example: sphverify repeat results.json 17 -o run.json");
+  sub->footer(
+      "Says on standard error how the run ended then and now, and how its numbers but the times agree:\n"
+      "to the bit with the same build and machine. Exit status 0 either way.\n"
+      "Example: sphverify repeat results.json 17 -o run.json");
   sub->callback([command] { repeat(*command); });
 }
 

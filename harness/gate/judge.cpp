@@ -189,8 +189,7 @@ GateVerdict judge_gate(Gate const& gate, Results const& results, Baselines const
     verdict.verdict = Verdict::selects_nothing;
     verdict.measured = label_of(gate) + " of nothing";
     verdict.limit = show_limit(gate, std::nullopt);
-    verdict.detail = why_empty(gate.select, results);
-    if (!gate.relative_to.id.empty()) verdict.detail += ", beside " + gate.relative_to.id + " itself";
+    verdict.detail = why_empty(gate, results);
     return verdict;
   }
   for (Measured const& m : all) require_reachable(gate, m, file);

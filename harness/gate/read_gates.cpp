@@ -8,6 +8,7 @@
 
 #include "harness/gate/measure.hpp"
 #include "harness/gate/select.hpp"
+#include "reports/run_statuses.hpp"
 
 namespace sphverify {
 
@@ -18,7 +19,6 @@ using Words = std::vector<std::string>;
 constexpr int most_particles = 100'000'000;
 
 Words const norm_words{"l1", "l2", "linf"};
-Words const status_words{"ok", "unstable", "non-finite", "positivity-lost", "timed-out", "invalid"};
 Words const order_verdict_words{"asymptotic", "pre-asymptotic", "floored", "diverging", "not-refined"};
 
 /// The keys that go with a measure, beside those of every gate.
@@ -237,7 +237,7 @@ Tolerance read_tolerance(Node const& node) {
 
 void read_equals(Node const& node, Gate& gate) {
   if (gate.measure == GateMeasure::status) {
-    gate.limit.equals_word = node.word(status_words);
+    gate.limit.equals_word = node.word(run_statuses);
   } else if (gate.measure == GateMeasure::order) {
     gate.limit.equals_word = node.word(order_verdict_words);
   } else {

@@ -42,8 +42,7 @@ Rebaseline plan_rebaseline(Gates const& gates, Results const& results, std::stri
       before[path] = std::filesystem::exists(path) ? std::optional(read_results(path)) : std::nullopt;
     }
     auto const now = measure(gate, results, gates.file);
-    if (now.empty())
-      throw UserError(gates.file, gate.key + ".select", why_empty(gate.select, results), "a run");
+    if (now.empty()) throw UserError(gates.file, gate.key + ".select", why_empty(gate, results), "a run");
     auto const& old_results = before.at(path);
     auto const old = old_results ? measure_baseline(gate, *old_results) : std::vector<Measured>{};
     for (Measured const& m : now) {

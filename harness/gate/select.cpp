@@ -127,6 +127,25 @@ bool meets(std::vector<Criterion<Subject>> const& all, Subject const& subject) {
   return std::all_of(all.begin(), all.end(), [&](auto const& criterion) { return criterion.met(subject); });
 }
 
+std::vector<RunRecord const*> runs_that_meet(Criterion<RunRecord> const& criterion,
+                                             std::vector<RunRecord const*> runs) {
+  std::erase_if(runs, [&](RunRecord const* run) { return !criterion.met(*run); });
+  return runs;
+}
+
+/// What runs have where a key stands, each value once.
+std::string values_of(Criterion<RunRecord> const& criterion, std::vector<RunRecord const*> const& runs) {
+  constexpr std::size_t most_shown = 8;
+  std::set<std::string> found;
+  for (RunRecord const* run : runs) found.insert(criterion.found(*run));
+  std::vector<std::string> shown(found.begin(), found.end());
+  if (shown.size() > most_shown) {
+    shown.resize(most_shown);
+    shown.emplace_back("...");
+  }
+  return fmt::format("{}", fmt::join(shown, ", "));
+}
+
 }  // namespace
 
 std::vector<std::string> const& discretisation_words() {
@@ -149,25 +168,37 @@ bool matches(Select const& select, RunRecord const& run) { return meets(run_crit
 
 bool matches(Select const& select, Series const& series) { return meets(criteria<Series>(select), series); }
 
-std::string why_empty(Select const& select, Results const& results) {
+std::string why_empty(Gate const& gate, Results const& results) {
   if (results.runs.empty()) return "the results hold no run";
-  constexpr std::size_t most_shown = 8;
-  for (auto const& criterion : run_criteria(select)) {
-    std::set<std::string> found;
-    bool met = false;
-    for (RunRecord const& run : results.runs) {
-      met = met || criterion.met(run);
-      found.insert(criterion.found(run));
-    }
-    if (met) continue;
-    std::vector<std::string> shown(found.begin(), found.end());
-    if (shown.size() > most_shown) {
-      shown.resize(most_shown);
-      shown.emplace_back("...");
-    }
-    return fmt::format("no run matches '{}'; the runs have {}", criterion.key, fmt::join(shown, ", "));
+  std::vector<Criterion<RunRecord>> const all = run_criteria(gate.select);
+  std::vector<RunRecord const*> runs;
+  for (RunRecord const& run : results.runs) runs.push_back(&run);
+  for (auto const& criterion : all) {
+    if (runs_that_meet(criterion, runs).empty())
+      return fmt::format("no run matches '{}'; the runs have {}", criterion.key, values_of(criterion, runs));
   }
-  return "every key is met by some run, but no run meets all";
+  std::vector<std::string> narrowing;  // keys that leave some of the runs out
+  for (auto const& criterion : all) {
+    std::vector<RunRecord const*> const left = runs_that_meet(criterion, runs);
+    if (left.empty()) {
+      return fmt::format("no run that matches '{}' also matches '{}'; those runs have {}",
+                         fmt::join(narrowing, "' and '"), criterion.key, values_of(criterion, runs));
+    }
+    if (left.size() < runs.size()) narrowing.push_back(criterion.key);
+    runs = left;
+  }
+  FormulationMatch const& reference = gate.relative_to;
+  if (!reference.id.empty()) {
+    std::erase_if(runs, [&](RunRecord const* run) { return matches(reference, run->formulation); });
+    if (runs.empty())
+      return fmt::format("it selects runs of {} alone, which 'relative_to' names: nothing is left to compare",
+                         reference.id);
+  }
+  if (gate.levels == LevelChoice::one) {
+    return fmt::format("no run that it selects has 'resolution' {}; they have {}", gate.resolution,
+                       values_of(all.back(), runs));
+  }
+  return "the runs that it selects belong to no ladder";
 }
 
 }  // namespace sphverify

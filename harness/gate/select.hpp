@@ -16,7 +16,8 @@ bool matches(FormulationMatch const& match, FormulationChoice const& formulation
 bool matches(Select const& select, RunRecord const& run);
 bool matches(Select const& select, Series const& series);
 
-/// Why a selection is empty: the first key that no run matches, and what there is instead.
-std::string why_empty(Select const& select, Results const& results);
+/// Why a gate looks at nothing: the first key that no run matches, alone or with those before it, and what
+/// there is instead; or that what it selects is only what it compares to, or has no such level.
+std::string why_empty(Gate const& gate, Results const& results);
 
 }  // namespace sphverify

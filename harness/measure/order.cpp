@@ -12,18 +12,22 @@ namespace sphverify {
 
 std::string_view const verdict_rules =
     R"(order      slope of log(mean error) over log(spacing), least squares on the true spacings
-interval   95%, Student's t on the fit's residuals; with several seeds also from their spread: the wider one
-           is given. Two levels give an order without an interval.
+interval   95%, Student's t on the fit's residuals; with several seeds also from their spread: the
+           wider one is given. Two levels give an order without an interval.
 left out   levels whose error is at the run's `round_off`: they say nothing of the order
-not-refined    fewer than three spacings, or an error that does not change at all (below 1 part in 1e6)
-asymptotic     the interval excludes 0, the last two pairwise orders agree within 0.3, and the last is at least
-               0.8 of their mean (it fades on the way to a floor); with orders of 0.1 to 0.25: pre-asymptotic
-diverging      a run of the finest level failed, or the last step raised the error (pairwise order < -0.25) in
-               a ladder whose fitted order is not positive
-floored        the last step changed the error little (pairwise order between -0.25 and 0.25) after steps that
-               changed it as little or, one by one, less and less; or the error reached round-off
+not-refined    fewer than three spacings, or an error that does not change at all (below 1 part
+               in 1e6)
+asymptotic     the interval excludes 0, the last two pairwise orders agree within 0.3, and the
+               last is at least 0.8 of their mean (it fades on the way to a floor); with orders
+               of 0.1 to 0.25: pre-asymptotic
+diverging      a run of the finest level failed, or the last step raised the error (pairwise
+               order < -0.25) in a ladder whose fitted order is not positive
+floored        the last step changed the error little (pairwise order between -0.25 and 0.25)
+               after steps that changed it as little or, one by one, less and less; or the error
+               reached round-off
 pre-asymptotic anything else
-at a jump      the solution allows at most order 1 in l1 and 1/2 in l2 (`allowed`); linf cannot go down: floored)";
+at a jump      the solution allows at most order 1 in l1 and 1/2 in l2 (`allowed`); linf cannot
+               go down: floored)";
 
 namespace {
 

@@ -34,6 +34,15 @@ double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout
   return std::visit([&](auto const& p) { return particle_count(p.domain, layout, resolution); }, problem);
 }
 
+double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
+                       double smoothing_ratio) {
+  return std::visit(
+      [&]<int Dim>(Problem<Dim> const& p) {
+        return particle_count(p.domain, layout, resolution) * neighbours_per_particle<Dim>(smoothing_ratio);
+      },
+      problem);
+}
+
 double estimated_bytes(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
                        double smoothing_ratio) {
   return std::visit(

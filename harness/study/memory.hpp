@@ -18,6 +18,11 @@ std::string why_not(AnyProblem const& problem, LayoutChoice const& layout);
 /// Particles that a run would have, as a number that does not overflow.
 double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout, int resolution);
 
+/// Pairs of neighbours that a run would have, each counted from both sides.
+/// @param smoothing_ratio h/dx at this resolution
+double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
+                       double smoothing_ratio);
+
 /// Memory of this machine, in bytes.
 double physical_memory();
 

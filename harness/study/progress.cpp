@@ -11,43 +11,64 @@ namespace sphverify {
 namespace {
 constexpr std::size_t bar_width = 30;
 constexpr std::chrono::seconds line_interval{5};
+
+double seconds_between(std::chrono::steady_clock::time_point from, std::chrono::steady_clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
 }  // namespace
 
-Progress::Progress(std::size_t total, std::size_t done)
-    : total_(total),
-      done_(done),
-      done_before_(done),
+Progress::Progress(std::vector<RunProgress> runs, int at_a_time)
+    : runs_(std::move(runs)),
+      started_(runs_.size()),
+      at_a_time_(at_a_time),
+      done_(static_cast<std::size_t>(std::count_if(
+          runs_.begin(), runs_.end(),
+          [](RunProgress const& run) { return run.state == RunProgress::State::finished_before; }))),
       terminal_(isatty(STDERR_FILENO) != 0),
       start_(std::chrono::steady_clock::now()),
       last_line_(start_) {
-  fmt::print(stderr, "{} runs{}\n", total, done > 0 ? fmt::format(", {} of them done before", done) : "");
+  fmt::print(stderr, "{} runs{}\n", runs_.size(),
+             done_ > 0 ? fmt::format(", {} of them done before", done_) : "");
 }
 
 Progress::~Progress() {
   if (terminal_) fmt::print(stderr, "\r\x1b[K");
 }
 
-void Progress::finished(std::string const& what) {
+void Progress::started(std::size_t run) {
+  std::scoped_lock const lock(mutex_);
+  runs_[run].state = RunProgress::State::running;
+  started_[run] = std::chrono::steady_clock::now();
+}
+
+void Progress::finished(std::size_t run, std::string const& what) {
   std::scoped_lock const lock(mutex_);
   ++done_;
   auto const now = std::chrono::steady_clock::now();
+  runs_[run].state = RunProgress::State::finished;
+  runs_[run].seconds = seconds_between(started_[run], now);
   // A terminal is redrawn ten times a second at most: thousands of short runs must not wait for it.
   auto const interval = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(line_interval);
-  if (done_ < total_ && now - last_line_ < interval) return;
+  if (done_ < runs_.size() && now - last_line_ < interval) return;
   last_line_ = now;
   draw(what);
 }
 
 void Progress::draw(std::string const& what) {
-  double const elapsed = std::chrono::duration<double>(last_line_ - start_).count();
-  double const left =
-      elapsed / static_cast<double>(done_ - done_before_) * static_cast<double>(total_ - done_);
+  for (std::size_t k = 0; k < runs_.size(); ++k) {
+    if (runs_[k].state == RunProgress::State::running)
+      runs_[k].seconds = seconds_between(started_[k], last_line_);
+  }
+  std::optional<double> const left = seconds_left(runs_, at_a_time_);
+  std::string const rest = left && done_ < runs_.size() ? duration_text(*left) + " left" : "";
   if (terminal_) {
-    std::size_t const filled = bar_width * done_ / std::max<std::size_t>(total_, 1);
-    fmt::print(stderr, "\r[{:=<{}}{: <{}}] {}/{}  {:.0f} s left  {:.50}\x1b[K", "", filled, "",
-               bar_width - filled, done_, total_, left, what);
+    std::size_t const filled = bar_width * done_ / std::max<std::size_t>(runs_.size(), 1);
+    fmt::print(stderr, "\r[{:=<{}}{: <{}}] {}/{}  {}  {:.50}\x1b[K", "", filled, "", bar_width - filled,
+               done_, runs_.size(), rest, what);
   } else {
-    fmt::print(stderr, "{}/{} runs, {:.0f} s, about {:.0f} s left\n", done_, total_, elapsed, left);
+    fmt::print(stderr, "{}/{} runs, {}{}\n", done_, runs_.size(),
+               duration_text(seconds_between(start_, last_line_)), rest.empty() ? "" : ", about " + rest);
   }
   std::fflush(stderr);
 }

@@ -4,6 +4,9 @@
 #include <cstddef>
 #include <mutex>
 #include <string>
+#include <vector>
+
+#include "harness/study/time_left.hpp"
 
 namespace sphverify {
 
@@ -11,17 +14,21 @@ namespace sphverify {
 /// most one every few seconds). May be told by several threads.
 class Progress {
  public:
-  /// @param done runs taken over from a journal
-  Progress(std::size_t total, std::size_t done);
+  /// @param runs those taken over from a journal are finished before
+  Progress(std::vector<RunProgress> runs, int at_a_time);
   ~Progress();
 
-  void finished(std::string const& what);
+  void started(std::size_t run);
+  void finished(std::size_t run, std::string const& what);
 
  private:
   void draw(std::string const& what);
 
   using Time = std::chrono::steady_clock::time_point;
-  std::size_t total_, done_, done_before_;
+  std::vector<RunProgress> runs_;
+  std::vector<Time> started_;
+  int at_a_time_;
+  std::size_t done_;
   bool terminal_;
   Time start_, last_line_;
   std::mutex mutex_;

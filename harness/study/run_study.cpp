@@ -45,6 +45,28 @@ int jobs_at_a_time(Study const& study, int asked) {
   return asked == 0 ? most : std::min(asked, most);
 }
 
+/// What the progress of a study starts from.
+std::vector<RunProgress> progress_of(Expansion const& expansion) {
+  std::vector<RunProgress> all;
+  std::optional<AnyProblem> problem;
+  for (std::size_t k = 0; k < expansion.runs.size(); ++k) {
+    RunSpec const& run = expansion.runs[k];
+    RunProgress one;
+    if (k > 0) {
+      // Runs stand in the order of their cases.
+      RunSpec const& before = expansion.runs[k - 1];
+      bool const is_same =
+          run.scene_case == before.scene_case && run.parameters.all() == before.parameters.all();
+      one.kind = all.back().kind + (is_same ? 0 : 1);
+      if (!is_same) problem.reset();
+    }
+    if (!problem) problem = run.scene_case->problem(run.parameters);
+    one.work = estimated_work(*problem, run.discretisation.layout, run.resolution, run.smoothing_ratio);
+    all.push_back(one);
+  }
+  return all;
+}
+
 }  // namespace
 
 void run_study(Study const& study, StudyOptions const& options) {
@@ -97,14 +119,20 @@ void run_study(Study const& study, StudyOptions const& options) {
     }
   }
   {
-    Progress progress(units, units - todo.size());
-    tbb::task_arena arena(std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion)));
+    std::vector<RunProgress> runs = progress_of(expansion);
+    for (std::size_t k = 0; k < units; ++k) {
+      if (!records[k].empty()) runs[k].state = RunProgress::State::finished_before;
+    }
+    int const jobs = std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion));
+    Progress progress(std::move(runs), jobs);
+    tbb::task_arena arena(jobs);
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, todo.size(),
           [&](std::size_t n) {
             std::size_t const k = todo[n];
             RunSpec const& spec = expansion.runs[k];
+            progress.started(k);
             if (study.envelope) {
               results.envelopes[k] = find_envelope(spec, *study.envelope, [&](RunSpec const& one, int step) {
                 records[k].push_back(carry_out(one, k * stride + static_cast<std::size_t>(step)));
@@ -113,7 +141,7 @@ void run_study(Study const& study, StudyOptions const& options) {
             } else {
               records[k].push_back(carry_out(spec, k));
             }
-            progress.finished(spec.label);
+            progress.finished(k, spec.label);
           },
           tbb::simple_partitioner{});
     });
@@ -122,6 +150,9 @@ void run_study(Study const& study, StudyOptions const& options) {
   if (!study.envelope) results.series = build_series(results.runs);
   write_document(options.output, document_text(to_json(results)));
   if (journal) journal->remove();
+  if (units == 0)
+    fmt::print(stderr, "nothing ran: every combination of {} is skipped, for the reasons above\n",
+               study.name);
 }
 
 }  // namespace sphverify

@@ -11,6 +11,7 @@
 #include "harness/scene/choices.hpp"
 #include "harness/study/memory.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/listed_identifiers.hpp"
 
 namespace sphverify {
 
@@ -58,6 +59,14 @@ std::vector<std::string> measure_names() {
   return names;
 }
 
+std::string read_identifier(Node const& node, std::vector<std::string> const& known,
+                            char const* listing_command) {
+  std::string const found = node.is_string() ? node.string() : "";
+  if (std::find(known.begin(), known.end(), found) == known.end())
+    node.complain(one_listed_by(listing_command, found, known));
+  return found;
+}
+
 /// Lets the case itself check what its parameters mean.
 void require_sensible(StudyCase const& choice, Node const& node) {
   try {
@@ -74,7 +83,7 @@ void require_sensible(StudyCase const& choice, Node const& node) {
 StudyCase read_case(Node const& node) {
   bool const bare = node.is_string();
   if (!bare) node.require_keys({"id", "parameters"});
-  std::string const id = (bare ? node : node.at("id")).word(case_ids());
+  std::string const id = read_identifier(bare ? node : node.at("id"), case_ids(), "sphverify list cases");
   Case const* const found = find_case(id);
   StudyCase choice{found, Parameters(found->info.parameters)};
   if (auto const parameters = bare ? std::nullopt : node.find("parameters")) {
@@ -94,7 +103,7 @@ FormulationChoice read_formulation(Node const& node) {
   FormulationChoice f;
   bool const bare = node.is_string();
   if (!bare) node.require_keys({"id", "walls", "work", "conduction"});
-  f.id = (bare ? node : node.at("id")).word(scheme_ids());
+  f.id = read_identifier(bare ? node : node.at("id"), scheme_ids(), "sphverify list formulations");
   if (bare) return f;
   if (auto const walls = node.find("walls")) f.walls = walls->word({"on", "off"}) == "on";
   bool const is_momentum = find_scheme(f.id)->rate == Rate::acceleration;

@@ -11,6 +11,7 @@
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/table/series_row.hpp"
+#include "reports/table/time_ratio.hpp"
 
 namespace sphverify {
 
@@ -403,6 +404,26 @@ double growth(RunRecord const& run) {
   return largest;
 }
 
+/// Growth of the slowest mode that the document counts as growing, infinite if it counts none. Of a large
+/// operator the outermost modes alone are known, and not how many others grow; but if any does, so does the
+/// fastest. Empty where not even that is known.
+/// @param growths of all modes that the run has
+Number slowest_growing(std::vector<double> growths, RunRecord const& run) {
+  if (!run.stability || growths.empty()) return std::nullopt;
+  Stability const& s = *run.stability;
+  if (!s.growing_modes && !s.worst_mode) return std::nullopt;
+  std::size_t const growing = std::min<std::size_t>(s.growing_modes.value_or(1), growths.size());
+  if (growing == 0) return INFINITY;
+  std::sort(growths.begin(), growths.end(), std::greater<>());
+  return growths[growing - 1];
+}
+
+/// How many of the modes that were kept grow; null where that is not known.
+Json growing_among(std::vector<double> const& kept, Number const& slowest) {
+  if (!slowest) return nullptr;
+  return std::count_if(kept.begin(), kept.end(), [&](double growth) { return growth >= *slowest; });
+}
+
 Json spectra_json(Results const& results, std::size_t share) {
   auto const chosen = one_per_series(
       results, [](RunRecord const& run) { return !run.spectrum.empty(); }, growth);
@@ -414,9 +435,13 @@ Json spectra_json(Results const& results, std::size_t share) {
     std::erase_if(spectrum, [](auto const& lambda) { return lambda.size() != 2; });
     std::sort(spectrum.begin(), spectrum.end(), std::greater<>());
     auto const kept = spread_evenly(spectrum.size(), points);
+    std::vector<double> growths, kept_growths;
+    for (auto const& lambda : spectrum) growths.push_back(lambda[0]);
+    for (std::size_t const k : kept) kept_growths.push_back(growths[k]);
     list.push_back({{"series", series},
                     {"run", index},
                     {"modes", spectrum.size()},
+                    {"growing", growing_among(kept_growths, slowest_growing(growths, results.runs[index]))},
                     {"real", picked(spectrum, 0, kept)},
                     {"imaginary", picked(spectrum, 1, kept)}});
   }
@@ -473,7 +498,10 @@ Json stabilities_json(Results const& results, Dictionary& word) {
         steps.push_back(
             {word(method), number(step.theory), number(step.measured), word_or_null(step.remark, word)});
       }
+      // Of a large operator it is not known how many modes grow: a worst one without their number does.
+      bool const grows = s.growing_modes ? *s.growing_modes > 0 : s.worst_mode.has_value();
       list.push_back({{"run", index},
+                      {"grows", grows},
                       {"growing", s.growing_modes ? Json(*s.growing_modes) : Json(nullptr)},
                       {"unseen", s.unseen_modes ? Json(*s.unseen_modes) : Json(nullptr)},
                       {"method", word_or_null(s.method, word)},
@@ -512,11 +540,15 @@ Json perturbations_json(Results const& results, std::size_t share) {
                  {"wavelength", Json::array()},
                  {"growth", Json::array()},
                  {"frequency", Json::array()}};
+    std::vector<double> growths, kept_growths;
+    for (Mode const& mode : s.modes) growths.push_back(mode.growth);
     for (std::size_t const k : spread_evenly(modes.size(), points)) {
+      kept_growths.push_back(modes[k]->growth);
       json["wavelength"].push_back(number(modes[k]->wavelength));
       json["growth"].push_back(number(modes[k]->growth));
       json["frequency"].push_back(number(modes[k]->frequency));
     }
+    json["growing"] = growing_among(kept_growths, slowest_growing(growths, results.runs[index]));
     list.push_back(std::move(json));
   }
   return list;
@@ -590,6 +622,7 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                  {"cores", c.cores},
                  {"date", c.date}}},
                {"study", Json::parse(results.study)},
+               {"disturbance", disturbance({rows, rows + results.series.size()})},
                {"series", std::move(series)},
                {"runs", runs_json(results, series_of, word)},
                {"profiles", profiles_json(results, share)},

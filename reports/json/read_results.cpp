@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "reports/json/results_json.hpp"
+#include "reports/run_statuses.hpp"
 
 namespace sphverify {
 
@@ -150,10 +151,10 @@ Envelope read_envelope(Node const& node) {
   e.logarithmic = node.at("scale").string() == "logarithmic";
   e.held = optional_number(node.at("held"));
   e.failed = optional_number(node.at("failed"));
-  e.status = node.at("status").string();
+  e.status = node.at("status").word(run_statuses);
   e.reason = optional_string(node.at("reason"));
   for (Node const& point : node.at("points").elements())
-    e.points.push_back({measured(point.at("value")), point.at("status").string()});
+    e.points.push_back({measured(point.at("value")), point.at("status").word(run_statuses)});
   return e;
 }
 
@@ -279,7 +280,7 @@ RunRecord read_run(Node const& node) {
   r.particles = count(node.at("particles"));
   r.spacing = measured(node.at("spacing"));
   r.smoothing_length = measured(node.at("smoothing_length"));
-  r.status = node.at("status").string();
+  r.status = node.at("status").word(run_statuses);
   r.reason = optional_string(node.at("reason"));
   for (Node const& field : node.at("scene").at("fields").elements()) r.scene.fields.push_back(field.string());
   for (auto const& [pass, times] : node.at("scene").at("pass_counts").members())

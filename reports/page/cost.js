@@ -43,11 +43,12 @@ function costSection(view) {
   const timed = rows.filter((row) => row.low > 0 && row.high !== null);
   const x = paddedLog(rows.flatMap((row) => [row.seconds, row.low, row.high]));
   const y = paddedLog(rows.map((row) => row.error));
+  const title = `Error against run time, ${view.one.name}, region ${view.choice.region}`;
   const label = `${view.isRelative ? "relative " : ""}${view.choice.norm} error of ${view.choice.field}`;
   const setting = (row) => `${settingText(row.series, view.varying)} · N = ${row.level.resolution}`;
   const error = (row) => (view.isRelative ? formatPercent(row.error) : formatNumber(row.error));
   const plot = Plot.plot(
-    plotOptions(`Error against run time: ${label}, ${view.one.name}`, {
+    plotOptions(`${title}: ${label}`, {
       width: view.width,
       height: Math.min(460, Math.max(300, 0.6 * view.width)),
       x: { type: "log", domain: x, ...decades(x), label: "run time [s] →" },
@@ -92,9 +93,7 @@ function costSection(view) {
       element("li", {}, `${formatTime(row)}: ${error(row)}, ${row.name}, ${setting(row)}`),
     ),
   );
-  const drawn = figure(view, `Error against run time, ${view.one.name}`, plot, [
-    ...new Set(rows.map((row) => row.name)),
-  ]);
+  const drawn = figure(view, title, plot, [...new Set(rows.map((row) => row.name))]);
   drawn.classList.add("single");
   const failed = view.series.filter((s) => s.levels.some((level) => level.failed > 0));
   return section(
@@ -112,6 +111,7 @@ function costSection(view) {
             `${view.series.length} have some, listed under Failures.`
           : ""),
     ),
+    disturbanceNote(view.doc),
     drawn,
     element(
       "details",

@@ -1,8 +1,5 @@
 // The mode that grows most, or decays least: how fast, how short, and where. Then all modes of a gas about rest.
 
-// Growth of a gas below this part of its largest frequency is what rounding makes of zero.
-const restGrowth = 1e-4;
-
 function modeRows(view) {
   return view.doc.stabilities
     .filter((entry) => view.series.includes(entry.series))
@@ -12,8 +9,6 @@ function modeRows(view) {
       isKnown: entry.growing !== null || entry.worst !== null,
       wavelength: entry.worst?.wavelength ?? null,
       wallShare: entry.worst?.wallShare ?? null,
-      // Of large operators the outermost modes alone are known: none grows, or the worst one says it.
-      grows: entry.growing === null ? (entry.worst?.growth ?? 0) > 0 : entry.growing > 0,
     }));
 }
 
@@ -157,8 +152,7 @@ function perturbationSection(view) {
       "p",
       { class: "hint" },
       "Every mode in which particles move, over its wavenumber: at π the waves are 2 dx long. Of each ladder's " +
-        "finest resolution the replicate that grows most. Crosses grow; growth below 1e-4 of the largest " +
-        "frequency is rounding.",
+        "finest resolution the replicate that grows most. Crosses grow, by more than rounding alone can make of 0.",
     ),
     place,
   );
@@ -175,7 +169,7 @@ function perturbationPanels(view, entries, quantity, label) {
           frequency: entry.frequency[k],
           // A mode that is the same everywhere has no wavelength.
           wavenumber: entry.wavelength[k] === null ? 0 : (2 * Math.PI) / entry.wavelength[k],
-          grows: growth > restGrowth * entry.run.spectral_radius,
+          grows: k < entry.growing,
         })),
       );
   return panelGrid(
@@ -184,7 +178,7 @@ function perturbationPanels(view, entries, quantity, label) {
       const rows = rowsOf(series);
       const growing = rows.filter((row) => row.grows);
       // Rounding must not fill the panel.
-      const least = d3.max(entries, (entry) => 10 * restGrowth * entry.run.spectral_radius);
+      const least = d3.max(entries, (entry) => 10 * Math.max(0, entry.growth[entry.growing] ?? 0));
       const values = rows.map((row) => row[quantity]);
       const y = paddedLinear(quantity === "growth" ? [...values, -least, least] : [0, ...values]);
       const plot = Plot.plot(
@@ -234,7 +228,7 @@ function perturbationPanels(view, entries, quantity, label) {
         `Small perturbations, ${label}, ${title}`,
         plot,
         [...new Set(rows.map((row) => row.name))],
-        [title, words.join(", ") || "nothing grows"].join(" — "),
+        [title, words.join(", ") || noGrowthText(entries)].join(" — "),
       );
     },
   );

@@ -196,6 +196,13 @@ function bandsOf(kinds, names) {
   };
 }
 
+// What a caption says where no mode is drawn as growing.
+function noGrowthText(entries) {
+  return entries.some((entry) => entry.growing === null)
+    ? "the document does not say what grows"
+    : "nothing grows";
+}
+
 function tips(rows, x, y, title) {
   return Plot.tip(
     rows,

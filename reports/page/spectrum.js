@@ -22,8 +22,8 @@ function spectrumSection(view) {
     element(
       "p",
       { class: "hint" },
-      "Of each ladder's finest resolution the replicate that grows most. Modes in the shaded " +
-        "half grow; crosses mark them.",
+      "Of each ladder's finest resolution the replicate that grows most. Right of the axis, shaded, a mode " +
+        "grows; crosses mark those that do by more than rounding alone can make of 0.",
     ),
     place,
   );
@@ -33,17 +33,15 @@ function spectrumPanels(view, entries, scale) {
   const rowsOf = (series) =>
     entries
       .filter((entry) => series.includes(entry.series))
-      .flatMap((entry) => {
-        // What rounding makes of zero does not grow.
-        const rounding = 1e-9 * d3.max(entry.real, Math.abs);
-        return entry.real.map((real, k) => ({
+      .flatMap((entry) =>
+        entry.real.map((real, k) => ({
           name: entry.series.name,
           real,
           imaginary: entry.imaginary[k],
-          grows: real > rounding,
+          grows: k < entry.growing,
           entry,
-        }));
-      });
+        })),
+      );
   return panelGrid(
     bySetting(view).filter(({ series }) => rowsOf(series).length),
     ({ title, series }) => {
@@ -106,7 +104,7 @@ function spectrumPanels(view, entries, scale) {
         `Spectrum, ${title}`,
         plot,
         [...new Set(rows.map((row) => row.name))],
-        [title, words.join(", ") || "nothing grows"].join(" — "),
+        [title, words.join(", ") || noGrowthText(entries)].join(" — "),
       );
     },
   );

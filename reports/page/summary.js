@@ -37,6 +37,7 @@ function rankOf(name, series) {
   return {
     name,
     best: percent.best ?? nearest ?? series[0],
+    nearest: nearest ?? null,
     percent,
     permille: soonestOf(sound, "toPermille"),
     error: nearest ? errorOf(nearest) : null,
@@ -89,6 +90,19 @@ function commonSettings(some, all) {
 // Settings of a ladder that tell it from the others of its case.
 function bestSettings(one, s) {
   return settingText(s, varyingSettings(one.series));
+}
+
+// The settings that the numbers of a row come from. Order and verdict are those of the first.
+function settingLines(one, rank) {
+  const numbers = [
+    ["1%", rank.percent.best],
+    ["0.1%", rank.permille.best],
+    ["smallest error", rank.nearest],
+  ].filter(([, series]) => series !== null);
+  const groups = [...d3.group(numbers, ([, series]) => series)];
+  if (groups.length < 2) return [bestSettings(one, rank.best)];
+  const names = (list) => list.map(([name]) => name).join(", ");
+  return groups.map(([series, list]) => `${names(list)}: ${bestSettings(one, series)}`);
 }
 
 function errorText(rank) {
@@ -190,7 +204,8 @@ function verdictOf(doc, one) {
     field === ""
       ? "No error was measured."
       : `Error of ${field}, ${norm}, all particles; N = ${finest} is finest. ` +
-        "Each formulation at its best setting.";
+        "Times and error are the best over all settings, which the last column names; order and verdict belong " +
+        "to the first named.";
   return element(
     "article",
     { class: "verdict" },
@@ -222,7 +237,7 @@ function rankTable(one, ranks, caption) {
     ["reach 1%", isTimed],
     ["fail", true],
     ["diverge", true],
-    ["best setting", true],
+    ["setting", true],
   ];
   const body = ranks.map((r) => {
     const { row } = r.best;
@@ -240,14 +255,21 @@ function rankTable(one, ranks, caption) {
       `${r.percent.reached} of ${r.ladders}`,
       `${r.failing.length}`,
       `${r.diverging.length}`,
-      bestSettings(one, r.best),
+      settingLines(one, r),
     ];
   });
   const rows = body.map((cells, i) => {
     const isBad = ranks[i].failing.length === ranks[i].ladders;
     const line = element("tr", { class: isBad ? "failed" : null });
-    cells.forEach((text, k) => {
-      if (head[k][1]) line.append(element(k === 0 ? "th" : "td", { scope: k === 0 ? "row" : null }, text));
+    cells.forEach((content, k) => {
+      if (!head[k][1]) return;
+      const lines = Array.isArray(content) ? content.map((text) => element("div", {}, text)) : [content];
+      const isInterval = String(content).includes("[");
+      line.append(
+        k === 0
+          ? element("th", { scope: "row" }, ...lines)
+          : element("td", { class: isInterval ? "interval" : null }, ...lines),
+      );
     });
     return line;
   });
@@ -275,6 +297,11 @@ function rankTable(one, ranks, caption) {
   return element("div", {}, element("p", { class: "parameters" }, caption + remark), table);
 }
 
+// What `sphverify compare` says too of runs that the processor did not work on all the time.
+function disturbanceNote(doc) {
+  return doc.disturbance ? element("p", { class: "note disturbed" }, doc.disturbance) : null;
+}
+
 function summarySection(doc) {
   if (doc.cases.length === 0) {
     const words =
@@ -283,5 +310,11 @@ function summarySection(doc) {
         : "The study ran nothing.";
     return section(doc, "summary", "Verdict", element("p", {}, words));
   }
-  return section(doc, "summary", "Verdict", ...doc.cases.map((one) => verdictOf(doc, one)));
+  return section(
+    doc,
+    "summary",
+    "Verdict",
+    disturbanceNote(doc),
+    ...doc.cases.map((one) => verdictOf(doc, one)),
+  );
 }

@@ -172,6 +172,7 @@ function ladderTable(view) {
       { label: "finest N", value: (s) => s.row.finest, text: (s) => String(s.row.finest) },
       { label: "failures", value: (s) => s.row.failures },
       { label: "field", value: (s) => entry(s)?.field },
+      { label: "region", value: (s) => entry(s)?.region },
       numberColumn("error", last),
       numberColumn("relative error", relative, formatPercent),
       {
@@ -181,8 +182,8 @@ function ladderTable(view) {
       },
       { label: "verdict", value: (s) => entry(s)?.verdict },
       timeColumn("run time", (s) => s.row.time),
-      timeColumn("time to 1%", (s) => s.row.toPercent),
-      timeColumn("time to 0.1%", (s) => s.row.toPermille),
+      timeColumn("time to 1% (all)", (s) => s.row.toPercent),
+      timeColumn("time to 0.1% (all)", (s) => s.row.toPermille),
       numberColumn("wall flux error", (s) => s.row.wall_flux_error, formatPercent),
       numberColumn("energy drift", (s) => s.row.energy_drift),
       numberColumn("wall budget defect", (s) => s.row.wall_budget_defect),

@@ -12,6 +12,7 @@
 #include "reports/table/budget_tables.hpp"
 #include "reports/table/changes_table.hpp"
 #include "reports/table/envelope_table.hpp"
+#include "reports/table/legend.hpp"
 #include "reports/table/number_text.hpp"
 #include "reports/table/pivot.hpp"
 #include "reports/table/series_row.hpp"
@@ -61,6 +62,35 @@ Cell time_cell(SeriesRow const& row, TimeTable const& times) {
   if (!row.failures.empty()) return {row.failures, std::nullopt};
   TimeTable::Entry const entry = times.entry(row);
   return {entry.text, entry.is_fastest ? Number(1.0) : std::nullopt};  // only the fastest may be marked
+}
+
+std::vector<LegendEntry> series_legend() {
+  return {
+      {"*", "best of its column"},
+      {"(off)", "without wall terms"},
+      {"q", "h/dx grows as N^q, else it is fixed"},
+      {"1.2±0.1", "order with 95% interval"},
+      {"~1.2", "order still changing"},
+      {"floored, diverges", "no convergence"},
+      {"short", "fewer than three levels"},
+      {"settled", "asymptotic"},
+      {"unsettled", "order still changing"},
+      {"fails", "worse than any number"},
+      {"", "The rules of the verdicts: sphverify describe order"},
+      {"",
+       "Errors are relative to the exact field's norm (absolute where that is zero), wall fluxes to the "
+       "largest flux; the last column is their median where heat crosses walls."},
+      {"",
+       "Run times: ratios of medians with 95% interval, 1.09±0.05 or 2.4 (1.9-3.1), where repeats give one"},
+      {"*", "the fastest"},
+      {"~", "cannot be told from it"},
+      {"<=", "the coarsest level got there"},
+      {">=", "the fastest's coarsest level did"},
+      {"", "Only times of one results file are compared."},
+      {"rounding", "a budget closed as far as rounding allows"},
+      {"~2e-3 of a step", "by theory alone"},
+      {"none", "no step is stable"},
+      {"", "What the tables show and how: docs/compare.md"}};
 }
 
 std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
@@ -117,27 +147,17 @@ std::string readable(std::vector<SeriesRow> const& rows, CompareOptions const& o
          {std::pair{"1%", &SeriesRow::to_percent}, {"0.1%", &SeriesRow::to_permille}}) {
       TimeTable const times(chosen, target);
       if (times.is_empty()) continue;
-      text += render(pivot(fmt::format("{}: run time to {} error, fastest of its results file = 1", case_id,
-                                       percent),
+      text += render(pivot(fmt::format("{}: run time to {} error, region {}, fastest of its file = 1",
+                                       case_id, percent, options.region),
                            chosen, [&times](SeriesRow const& row) { return time_cell(row, times); }),
                      options.format, options.colour) +
               "\n";
     }
   }
   text += render(summary_table(rows, options), options.format, options.colour);
-  return text +
-         "\n* best of its column   (off): without wall terms   q: h/dx grows as N^q, else it is fixed\n"
-         "1.2±0.1: order with 95% interval   ~1.2: order still changing   floored, diverges: no convergence\n"
-         "Errors are relative to the exact field's norm (absolute where that is zero), wall fluxes to the\n"
-         "largest flux; the last column is their median where heat crosses walls. settled: asymptotic\n"
-         "unsettled: order still changing   short: fewer than three levels   <=: the coarsest got there\n"
-         "fails: worse than any number   The rules of the verdicts: sphverify describe order\n"
-         "Run times: ratios of medians with 95% interval, 1.09±0.05 or 2.4 (1.9-3.1), where repeats give\n"
-         "one   *: the fastest   ~: cannot be told from it   >=: the fastest's coarsest got there\n"
-         "Only times of one results file are compared.\n"
-         "rounding: a budget closed as far as rounding allows   ~2e-3 of a step: by theory alone\n"
-         "none: no step is stable   What the tables show and how: docs/compare.md\n" +
-         disturbance(rows);
+  text += "\n" + legend(series_legend(), options.format);
+  std::string const disturbed = disturbance(rows);
+  return disturbed.empty() ? text : text + legend({{"", disturbed}}, options.format);
 }
 
 std::vector<std::pair<std::string, Number>> numbers_of(SeriesRow const& row) {
@@ -283,7 +303,9 @@ std::string text(std::vector<NamedResults> const& documents, CompareOptions cons
     std::string all;
     for (TextTable const& table : envelope_tables(envelopes))
       all += render(table, options.format, options.colour) + "\n";
-    sections.push_back(all + "* held furthest   A range is that of the seeds, the worst first.\n");
+    sections.push_back(
+        all + legend({{"*", "held furthest"}, {"", "A range is that of the seeds, the worst first."}},
+                     options.format));
   }
   if (is_wanted("changes")) {
     for (Changes const& changes : changes_of(documents, options.region, options.norm))

@@ -59,7 +59,7 @@ TextTable table_of(std::vector<EnvelopeRow> const& rows) {
 
   EnvelopeRow const& first = rows.front();
   TextTable table;
-  table.title = fmt::format("{}\n{}\nHow far {} could be driven, asked for up to {:g}, N = {}", first.case_id,
+  table.title = fmt::format("{}\n{}\nHow far {} could be driven towards {:g}, N = {}", first.case_id,
                             indented_lines(first.parameters), first.parameter, first.to.value_or(NAN),
                             first.resolution);
   table.header = names.header();

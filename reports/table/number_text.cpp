@@ -56,6 +56,13 @@ std::vector<std::string> lines_of_words(std::string const& words, std::size_t co
   return lines;
 }
 
+std::string hanging_lines(std::string const& head, std::string const& words, std::size_t column) {
+  std::string text;
+  for (std::string const& line : lines_of_words(words, terminal_columns - column))
+    text += (text.empty() ? head : std::string(column, ' ')) + line + "\n";
+  return text;
+}
+
 std::string indented_lines(std::string const& words) {
   std::string text;
   for (std::string const& line : lines_of_words(words, terminal_columns - 4))

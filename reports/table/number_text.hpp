@@ -24,6 +24,9 @@ std::size_t text_width(std::string const& text);
 /// Words in lines of at most so many columns; a longer word stands alone.
 std::vector<std::string> lines_of_words(std::string const& words, std::size_t columns);
 
+/// A head and words in lines that fit a terminal; all but the first line begin at a column.
+std::string hanging_lines(std::string const& head, std::string const& words, std::size_t column);
+
 /// Words in lines that fit a terminal, indented.
 std::string indented_lines(std::string const& words);
 

@@ -87,8 +87,8 @@ std::string disturbance(std::vector<SeriesRow> const& rows) {
   }
   if (disturbed == 0) return "";
   return fmt::format(
-      "Disturbed timings: {} of {} ladders have a run that its processor worked on for less than {:g}%\n"
-      "of the time (at worst {:.0f}%): the machine had other work, or swapped.\n",
+      "Disturbed timings: {} of {} ladders have a run that its processor worked on for less than {:g}% "
+      "of the time (at worst {:.0f}%): the machine had other work, or swapped.",
       disturbed, rows.size(), 100.0 * least_busy, 100.0 * lowest);
 }
 

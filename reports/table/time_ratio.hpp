@@ -49,7 +49,7 @@ class TimeTable {
   std::vector<Fastest> fastest_;  ///< of every document in which one got there
 };
 
-/// One line if the processor did not work all the time on runs that were timed; else empty.
+/// A sentence if the processor did not work all the time on runs that were timed; else empty.
 std::string disturbance(std::vector<SeriesRow> const& rows);
 
 }  // namespace sphverify

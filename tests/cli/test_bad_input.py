@@ -299,6 +299,14 @@ class Files(BadInput):
         self.refuse("compare", file, words=(file, "series[0].runs"))
 
 
+    def test_a_status_that_no_run_can_have_is_refused(self):
+        results = self.study(small_study(), "good.json")
+        results["runs"][1]["status"] = "fine"
+        file = self.write("odd.json", results)
+        for command in (("compare", file), ("report", file), ("repeat", file, 0)):
+            self.refuse(*command, words=(f"{file}: runs[1].status: found 'fine', expected one of ok, unstable",))
+
+
 class Places(BadInput):
     """Root may write anywhere that exists, so these are places that nobody can write."""
 
@@ -506,6 +514,19 @@ class CommandLine(BadInput):
         self.refuse("describe", "brookshaw", words=("'brookshaw'", "did you mean 'conduction/brookshaw'?"))
         self.refuse("describe", "conduction/marshack", words=("did you mean 'conduction/marshak'?",))
         self.refuse("describe", "", words=("expected",))
+
+    def test_what_to_expect_of_an_identifier_is_short_and_names_the_list_of_them_all(self):
+        study = self.write("study.json", small_study(cases=["conduction/marshack"], formulations=["wholly-other"]))
+        forms = self.write("forms.json", small_study(formulations=["wholly-other"]))
+        for arguments, listing in (
+            (("describe", "wholly-other"), "`sphverify list`"),
+            (("exact", "conduction/slab", "--time", "1", "--points", "0"), "`sphverify list cases`"),
+            (("study", study), "`sphverify list cases`"),
+            (("study", forms), "`sphverify list formulations`"),
+        ):
+            with self.subTest(arguments=arguments):
+                self.refuse(*arguments, words=(listing,))
+                self.assertLess(len(self.run_program(*arguments).stderr), 250)
 
     def test_one_bad_document_among_several_is_refused_by_name(self):
         self.study(small_study(), "good.json")

@@ -184,6 +184,15 @@ class Help(ProgramTest):
                 text = self.succeed(command, "--help")
                 self.assertRegex(text, rf"Example: sphverify {command}\b")
 
+    def test_every_help_fits_into_100_columns(self):
+        text = self.succeed("--help")
+        commands = re.findall(r"(?m)^  (\w+) {2,}", text.split("Subcommands:")[1])
+        self.assertTrue(set(COMMANDS) < set(commands), commands)
+        for help_text in (text, *(self.succeed(command, "--help") for command in commands)):
+            for line in help_text.splitlines():
+                if not line.startswith("Usage:"):  # names the program with its path
+                    self.assertLessEqual(len(line), 100, line)
+
     def test_examples_of_commands_that_need_no_file_work(self):
         for command in ("list", "describe", "exact"):
             with self.subTest(command=command):

@@ -83,6 +83,13 @@ class Compare(ProgramTest):
         self.assertTrue(any(re.fullmatch(r"\|(:?-+:?\|)+", line) for line in lines))
         self.assertTrue(any(line.startswith("#") for line in lines))
 
+    def test_markdown_explains_its_marks_as_a_list(self):
+        lines = self.compare("--format", "markdown").splitlines()
+        legend = lines[max(k for k, line in enumerate(lines) if line.startswith("|")) + 1 :]
+        marks = {line.split("`")[1] for line in legend if line.startswith("- `")}
+        self.assertLessEqual({"*", "(off)", "q", "~1.2", "<=", "floored, diverges"}, marks)
+        self.assertTrue(all(line.startswith("- ") for line in legend if line), legend)
+
     def test_csv_has_a_header_and_one_row_per_series(self):
         rows = list(csv.reader(io.StringIO(self.compare("--format", "csv")), strict=True))
         self.assertEqual(len(rows), 1 + SERIES)

@@ -62,10 +62,22 @@ class RepeatTest(program.ProgramTest):
         for key in ("smoothing_length", "smoothing_exponent", "errors"):
             self.assertEqual(again[key], results["runs"][1][key], key)
 
-    def test_refuses_a_run_that_is_not_there(self):
+    def test_says_whether_the_numbers_agree(self):
+        results = self.study(STUDY, "limits.json")
+        same = self.run_program("repeat", self.folder / "limits.json", 0)
+        self.assertRegex(same.stderr, r"numbers +all \d+ agree to the bit")
+        results["runs"][0]["errors"]["temperature"]["wall"]["linf"] *= 2
+        self.write("moved.json", results)
+        moved = self.run_program("repeat", self.folder / "moved.json", 0)
+        self.assertEqual(moved.returncode, program.DONE)
+        self.assertRegex(moved.stderr, r"numbers +1 of \d+ differ, .*temperature wall linf: 5\.0e-1 of it")
+        self.assertEqual(moved.stdout, same.stdout)
+
+    def test_refuses_a_run_that_is_not_there_and_names_it_as_it_was_given(self):
         self.study(STUDY, "limits.json")
-        result = self.run_program("repeat", self.folder / "limits.json", "7")
-        self.assert_user_error(result, "RUN", "7")
+        for index in ("7", "-1"):
+            result = self.run_program("repeat", self.folder / "limits.json", index)
+            self.assert_user_error(result, f"RUN: found {index}, expected an index from 0 to 6")
 
 
 if __name__ == "__main__":

@@ -105,5 +105,20 @@ class InputAndOutput(ProgramTest):
         self.assertNotIn(None, flat(rates["momentum/p-rho2"]["acceleration"]))
 
 
+class Example(ProgramTest):
+    def test_the_example_gives_every_rate_and_those_in_the_middle_are_those_of_its_fields(self):
+        path = SOURCE_DIR / "examples" / "state.json"
+        self.assert_valid("sphverify-state-1", strict_json(path.read_text()))
+        document = strict_json(self.succeed("evaluate", path))
+        self.assert_valid("sphverify-rates-1", document)
+        self.assertEqual(document["left_out"], {})
+        rates = document["rates"]
+        middle = len(document["density"]) // 2
+        # Uniform pressure 1, velocity x/10, temperature 1 + x.
+        self.assertAlmostEqual(rates["momentum/p-rho2"]["acceleration"][middle][0], 0, delta=0.01)
+        self.assertAlmostEqual(rates["work/internal-energy"]["heating"][middle], -0.1, delta=0.01)
+        self.assertAlmostEqual(rates["conduction/brookshaw"]["heating"][middle], 0, delta=0.01)
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

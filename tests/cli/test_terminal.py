@@ -137,6 +137,26 @@ class OnATerminal(ProgramTest):
                          [line.rstrip() for line in self.succeed("compare", "results.json").splitlines()])  # fmt: skip
 
 
+    def text_on_terminal(self, *arguments):
+        process, terminal = self.start_on_terminal(*arguments, streams=("stdout",))
+        text = read_all(terminal).decode().replace("\r\n", "\n")
+        self.assertEqual(process.wait(timeout=60), DONE)
+        return text
+
+    def test_lists_and_descriptions_fit_into_100_columns_and_say_what_they_say_off_a_terminal(self):
+        lists = strict_json(self.succeed("list", "--json"))
+        ids = [entry["id"] for kind, entries in lists.items() if kind != "schema" for entry in entries]
+        wide = 0
+        for arguments in [("list",), ("list", "cases"), *(("describe", one) for one in ids)]:
+            with self.subTest(arguments=arguments):
+                text = self.text_on_terminal(*arguments)
+                self.assertLessEqual(max(map(len, text.splitlines())), 100)
+                plain = self.succeed(*arguments)
+                self.assertEqual(text.split(), plain.split())
+                wide += max(map(len, plain.splitlines())) > 100
+        self.assertGreater(wide, 10, "or nothing had to be broken")
+
+
 class OffATerminal(ProgramTest):
     def test_progress_is_plain_lines(self):
         study = self.write("study.json", STUDY)
@@ -148,6 +168,15 @@ class OffATerminal(ProgramTest):
         self.assertEqual(lines[0], f"{RUNS} runs")
         self.assertTrue(lines[-1].startswith(f"{RUNS}/{RUNS} runs"), lines)
         self.assertLess(len(lines), 10, "a line every few seconds, not one per run")
+
+    def test_a_study_of_which_nothing_can_run_says_so_and_why(self):
+        study = self.write("study.json", small_study(formulations=["momentum/p-rho2", "momentum/sqrt-p"]))
+        result = self.run_program("study", study)
+        self.assertEqual(result.returncode, DONE)
+        self.assertEqual(len(strict_json(result.stdout)["skipped"]), 2)
+        lines = result.stderr.splitlines()
+        self.assertIn("a momentum form has no rate on a conduction case", lines[0])
+        self.assertEqual(lines[-1], "nothing ran: every combination of small is skipped, for the reasons above")
 
     def test_results_go_to_standard_output_when_no_file_is_named(self):
         study = self.write("study.json", small_study())

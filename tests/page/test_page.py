@@ -180,6 +180,24 @@ class PageTest(program.ProgramTest):
         maker.write("odd.json", odd)
         maker.succeed("report", cls.place / "heat.json", "-o", cls.place / "heat.html")
         maker.succeed("report", cls.place / "odd.json", "-o", cls.place / "odd.html")
+        timed = [run for run in odd["runs"] if run["cost"]]
+        for name, least in (("quiet", 1.0), ("disturbed", 0.5)):
+            for run in timed:
+                run["cost"]["busy"] = 1.0
+            timed[-1]["cost"]["busy"] = least
+            maker.write(f"{name}.json", odd)
+            maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
+        # On the lattice 1% comes sooner, on disordered particles 0.1%.
+        settings = copy.deepcopy(cls.heat)
+        for series in settings["series"]:
+            is_lattice = series["discretisation"]["layout"] == "lattice"
+            for target in series["time_to_error"]:
+                seconds = 1 if (target["relative"] == 0.01) == is_lattice else 2
+                never = series["label"] != "conduction/brookshaw"
+                target |= {"seconds": None if never else seconds, "median_seconds": None if never else seconds}
+                target |= {"low_seconds": None, "high_seconds": None, "is_bound": False}
+        maker.write("settings.json", settings)
+        maker.succeed("report", cls.place / "settings.json", "-o", cls.place / "settings.html")
         maker.study(RATES, "rates.json")
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
         cls.stable = maker.study(STABLE, "stable.json")
@@ -188,6 +206,9 @@ class PageTest(program.ProgramTest):
         for run in unknown["runs"]:
             if run["label"] == "conduction/brookshaw" or run["discretisation"]["layout"] == "lattice":
                 run["stability"] |= {"growing_modes": None, "worst_mode": None, "remark": "too many unknowns"}
+        for run in unknown["runs"]:
+            if run["label"] == "conduction/campbell-flux" and run["stability"]["growing_modes"]:
+                run["stability"]["growing_modes"] = None
         maker.write("unknown.json", unknown)
         maker.succeed("report", cls.place / "unknown.json", "-o", cls.place / "unknown.html")
         cls.resting = maker.study(RESTING, "resting.json")
@@ -313,12 +334,50 @@ class PageTest(program.ProgramTest):
             if "history" in run and run["case"] == "conduction/slab-dirichlet"
         }
         self.assertEqual(self.count("history", "g[aria-label=line] path"), len(kept))
-        growing = self.count("spectrum", "g[aria-description='growing mode'] path")
-        self.assertGreater(growing, 0)
+        # Of each ladder one replicate; what grows in it is what the document counts.
+        counted = 0
+        for series in self.heat["series"]:
+            if series["case"] != "conduction/slab-dirichlet":
+                continue
+            runs = [self.heat["runs"][run] for run in series["runs"]]
+            finest = [run for run in runs if run["resolution"] == 50 and "spectrum" in run]
+            most = max(finest, key=lambda run: max(real for real, _ in run["spectrum"]))
+            counted += most["stability"]["growing_modes"]
+        self.assertGreater(counted, 0)
+        self.assertEqual(self.count("spectrum", "g[aria-description='growing mode'] path"), counted)
         self.assertEqual(self.all("section.envelope"), [])
         self.open("odd.html")
         self.assertEqual(self.count("envelope", "g[aria-description=failed] path"), 1)
         self.assertEqual(self.count("envelope", "g[aria-description=held] line"), 1)
+
+    def test_a_number_of_growing_modes_that_is_not_known_is_not_made_up(self):
+        self.open("unknown.html")
+        captions = [node.text for node in self.all("section.spectrum figcaption")]
+        self.assertTrue(any("the document does not say what grows" in text for text in captions), captions)
+        # A worst mode without a number of those that grow: it alone is known to.
+        self.assertEqual(self.count("spectrum", "g[aria-description='growing mode'] path"), 1)
+
+    def test_run_times_are_titled_with_the_region_of_their_errors(self):
+        self.open("heat.html")
+        for region in ("all", "wall"):
+            self.choose("region", region)
+            self.assertIn(f"region {region}", self.one("section.cost figcaption").text)
+            self.assertEqual(set(self.cells("Ladders", "region")), {region})
+
+    def test_warns_of_disturbed_timings(self):
+        self.open("disturbed.html")
+        for section in ("summary", "cost"):
+            self.assertIn("Disturbed timings: 1 of ", self.one(f"section.{section} .disturbed").text)
+        self.open("quiet.html")
+        self.assertEqual(self.all(".disturbed"), [])
+
+    def test_the_verdict_names_the_setting_of_each_number_and_fits_the_page(self):
+        self.open("settings.html")
+        settings = self.cells("Verdict on conduction/slab-dirichlet", "setting")
+        self.assertTrue(all(settings), settings)
+        self.assertRegex(settings[0], r"^1%(, smallest error)?: lattice0\.1%(, smallest error)?: jittered 0\.1$")
+        for table in self.all(".verdict .scroll"):
+            self.assertLessEqual(*(int(table.get_property(key)) for key in ("scrollWidth", "clientWidth")))
 
     def test_draws_how_far_a_parameter_was_driven_down(self):
         self.open("driven.html")
@@ -586,7 +645,7 @@ class PageTest(program.ProgramTest):
         self.assertIn("≈: run times do not tell it from the fastest.", text)
         self.assertNotIn("Next:", text)
         cells = ["10 ms [9 ms, 11 ms]", "10.5 ms [9.9 ms, 12 ms]"]
-        self.assertEqual(self.cells("Ladders", "time to 1%"), cells)
+        self.assertEqual(self.cells("Ladders", "time to 1% (all)"), cells)
 
     def test_one_repeat_has_no_interval(self):
         self.open("heat.html")

@@ -198,7 +198,8 @@ BOOST_AUTO_TEST_CASE(a_gate_that_selects_nothing_fails_even_if_it_is_expected_to
   GateVerdict const itself =
       judged(R"("measure": "cost", "maximum": 1, "relative_to": "conduction/brookshaw")", smooth());
   BOOST_TEST((itself.verdict == Verdict::selects_nothing));
-  BOOST_TEST(says(itself.detail, "beside conduction/brookshaw itself"), itself.detail);
+  BOOST_TEST(says(itself.detail, "runs of conduction/brookshaw alone, which 'relative_to' names"),
+             itself.detail);
 }
 
 BOOST_AUTO_TEST_CASE(within_compares_to_the_same_run_of_the_baseline) {

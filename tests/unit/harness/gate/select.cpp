@@ -84,13 +84,30 @@ BOOST_AUTO_TEST_CASE(a_series_is_selected_by_the_same_keys) {
 
 BOOST_AUTO_TEST_CASE(why_nothing_was_selected_is_said_by_the_first_key_that_nothing_meets) {
   Results const results = results_of({gas(), run_at(25, 1.0)});
-  auto const why = [&](std::string const& select) { return why_empty(select_of(select), results); };
+  Gate gate;
+  auto const why = [&](std::string const& select) {
+    gate.select = select_of(select);
+    return why_empty(gate, results);
+  };
   BOOST_TEST(why(R"({"case": "hydro/noh"})") ==
              "no run matches 'case'; the runs have conduction/slab-dirichlet, hydro/riemann");
   BOOST_TEST(why(R"({"resolution": 99})") == "no run matches 'resolution'; the runs have 25, 50");
   BOOST_TEST(why(R"({"case": "hydro/riemann", "resolution": 25})") ==
-             "every key is met by some run, but no run meets all");
-  BOOST_TEST(why_empty(Select(), Results()) == "the results hold no run");
+             "no run that matches 'case' also matches 'resolution'; those runs have 50");
+  BOOST_TEST(why_empty(Gate(), Results()) == "the results hold no run");
+}
+
+BOOST_AUTO_TEST_CASE(a_gate_that_selects_only_what_it_compares_to_or_a_level_that_is_not_there_says_so) {
+  Results const results = results_of({gas(), run_at(25, 1.0)});
+  Gate gate;
+  gate.select = select_of(R"({"case": "conduction/slab-dirichlet"})");
+  gate.relative_to.id = run_at(25, 1.0).formulation.id;
+  BOOST_TEST(why_empty(gate, results) == "it selects runs of " + gate.relative_to.id +
+                                             " alone, which 'relative_to' names: nothing is left to compare");
+  gate.relative_to.id.clear();
+  gate.levels = LevelChoice::one;
+  gate.resolution = 99;
+  BOOST_TEST(why_empty(gate, results) == "no run that it selects has 'resolution' 99; they have 25");
 }
 
 BOOST_AUTO_TEST_SUITE_END()

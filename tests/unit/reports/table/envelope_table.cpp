@@ -61,8 +61,8 @@ BOOST_AUTO_TEST_CASE(what_was_asked_for_another_hardest_value_has_a_table_of_its
   further.points[0].value = 0.25;
   auto const tables = tables_of({driven("conduction/brookshaw", 0.6, 0.55), further});
   BOOST_REQUIRE(tables.size() == 2u);
-  BOOST_TEST(tables[0].title.find("asked for up to 0.5,") != std::string::npos);
-  BOOST_TEST(tables[1].title.find("asked for up to 0.25,") != std::string::npos);
+  BOOST_TEST(tables[0].title.find("driven towards 0.5,") != std::string::npos);
+  BOOST_TEST(tables[1].title.find("driven towards 0.25,") != std::string::npos);
 }
 
 BOOST_AUTO_TEST_CASE(csv_and_json_have_an_entry_per_envelope) {

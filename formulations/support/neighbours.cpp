@@ -72,7 +72,7 @@ class CandidateBuffer {
   /// @param out has room for count() + 4
   /// @param same_place receives whether one of them is at its very place
   /// @return how many are near
-  std::size_t list_near(std::size_t n, double common_reach, SweepKernels const& kernels, std::uint32_t* out,
+  std::size_t list_near(std::size_t n, double common_reach, ListKernels const& kernels, std::uint32_t* out,
                         bool* same_place) {
     std::size_t const self = own_ + n;
     std::array<double, Dim> x;
@@ -119,7 +119,7 @@ template <int Dim>
 class Search {
  public:
   Search(CellGrid<Dim> const& grid, SortedParticles<Dim> const& sorted)
-      : grid_(grid), kernels_(sweep_kernels<Dim>()), candidates_(grid, sorted) {}
+      : grid_(grid), kernels_(list_kernels<Dim>()), candidates_(grid, sorted) {}
 
   /// @param length receives how many neighbours each particle has, in the order of the cells
   /// @return the neighbours themselves, one particle's after the other's
@@ -155,7 +155,7 @@ class Search {
   }
 
   CellGrid<Dim> const& grid_;
-  SweepKernels const& kernels_;
+  ListKernels const& kernels_;
   CandidateBuffer<Dim> candidates_;
   std::vector<std::uint32_t> rows_;
 };

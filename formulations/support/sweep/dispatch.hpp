@@ -1,5 +1,6 @@
 #pragma once
 
+#include "formulations/support/sweep/candidates.hpp"
 #include "formulations/support/sweep/sweep.hpp"
 
 namespace sphverify {
@@ -9,5 +10,9 @@ namespace sphverify {
 /// round-off.
 template <int Dim>
 SweepKernels const& sweep_kernels();
+
+/// The loops that find neighbours, chosen likewise.
+template <int Dim>
+ListKernels const& list_kernels();
 
 }  // namespace sphverify

@@ -16,8 +16,10 @@
 namespace sphverify {
 
 extern SweepKernels const baseline_kernels[3];
+extern ListKernels const baseline_list_kernels[3];
 #if defined(__x86_64__)
 extern SweepKernels const avx2_kernels[3];
+extern ListKernels const avx2_list_kernels[3];
 #endif
 
 }  // namespace sphverify
@@ -840,11 +842,11 @@ class CandidateList {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(both_instruction_sets_list_the_candidates_that_are_near, D, Dimensions) {
   constexpr int Dim = D::value;
-  std::vector<SweepKernels const*> tables{&baseline_kernels[Dim - 1]};
+  std::vector<ListKernels const*> tables{&baseline_list_kernels[Dim - 1]};
 #if defined(__x86_64__)
-  if (has_avx2()) tables.push_back(&avx2_kernels[Dim - 1]);
+  if (has_avx2()) tables.push_back(&avx2_list_kernels[Dim - 1]);
 #endif
-  for (SweepKernels const* kernels : tables) {
+  for (ListKernels const* kernels : tables) {
     for (std::size_t const count : {0u, 1u, 3u, 4u, 5u, 101u}) {
       CandidateList<Dim> list(count);
       Random random(25);

@@ -1,5 +1,7 @@
 #include "formulations/support/sweep/dispatch.hpp"
 
+#include "formulations/support/sweep/candidates.hpp"
+
 namespace sphverify {
 
 extern SweepKernels const baseline_kernels[3];

@@ -1,9 +1,10 @@
 #pragma once
 
-#include "formulations/support/sweep/candidates.hpp"
 #include "formulations/support/sweep/sweep.hpp"
 
 namespace sphverify {
+
+struct ListKernels;
 
 /// The loops over pairs for this processor, chosen once, at the first call: AVX2 with fused multiply-add
 /// where an x86-64 has both, else what every machine of the architecture has. Results of the two differ by

@@ -16,10 +16,8 @@
 namespace sphverify {
 
 extern SweepKernels const baseline_kernels[3];
-extern ListKernels const baseline_list_kernels[3];
 #if defined(__x86_64__)
 extern SweepKernels const avx2_kernels[3];
-extern ListKernels const avx2_list_kernels[3];
 #endif
 
 }  // namespace sphverify
@@ -806,75 +804,5 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions
   }
 }
 #endif
-
-/// Candidates for neighbours, some of them at the same place, filled up with ones that are far away.
-template <int Dim>
-class CandidateList {
- public:
-  explicit CandidateList(std::size_t count)
-      : places_(Dim * (count + 4)), half_reach_(count + 4), count_(count) {
-    Random random(24);
-    whole_ = (count + 3) / 4 * 4;
-    for (std::size_t n = 0; n < whole_; ++n) {
-      for (int k = 0; k < Dim; ++k) component(k)[n] = n < count ? random.uniform(0.0, 1.0) : 1e150;
-      half_reach_.data()[n] = random.uniform(0.1, 0.3);
-      particle_.push_back(static_cast<std::uint32_t>(1000 - 3 * n));
-    }
-    for (int k = 0; k < Dim && count > 9; ++k) component(k)[9] = component(k)[2];
-  }
-  double* component(int k) { return places_.data() + static_cast<std::size_t>(k) * whole_; }
-  double half_reach(std::size_t n) { return half_reach_.data()[n]; }
-  std::uint32_t particle(std::size_t n) const { return particle_[n]; }
-  std::size_t size() const { return count_; }
-
-  Candidates candidates(bool own_reach) {
-    Candidates all{.x = {}, .half_reach = nullptr, .particle = particle_.data(), .count = whole_};
-    for (int k = 0; k < Dim; ++k) all.x[static_cast<std::size_t>(k)] = component(k);
-    if (own_reach) all.half_reach = half_reach_.data();
-    return all;
-  }
-
- private:
-  Aligned places_, half_reach_;
-  std::vector<std::uint32_t> particle_;
-  std::size_t count_, whole_ = 0;
-};
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(both_instruction_sets_list_the_candidates_that_are_near, D, Dimensions) {
-  constexpr int Dim = D::value;
-  std::vector<ListKernels const*> tables{&baseline_list_kernels[Dim - 1]};
-#if defined(__x86_64__)
-  if (has_avx2()) tables.push_back(&avx2_list_kernels[Dim - 1]);
-#endif
-  for (ListKernels const* kernels : tables) {
-    for (std::size_t const count : {0u, 1u, 3u, 4u, 5u, 101u}) {
-      CandidateList<Dim> list(count);
-      Random random(25);
-      for (int point = 0; point < 60; ++point) {
-        bool const own_reach = point % 2 == 1;
-        Vector<Dim> x = random.vector<Dim>(0.0, 1.0);
-        if (point < 20 && count > 2) {
-          for (int k = 0; k < Dim; ++k) x[k] = list.component(k)[2];
-        }
-        double const reach = own_reach ? 0.15 : 0.35;
-        std::vector<std::uint32_t> expected;
-        std::size_t at_x = 0;
-        for (std::size_t n = 0; n < list.size(); ++n) {
-          Vector<Dim> y;
-          for (int k = 0; k < Dim; ++k) y[k] = list.component(k)[n];
-          if ((x - y).norm() < reach + (own_reach ? list.half_reach(n) : 0.0))
-            expected.push_back(list.particle(n));
-          at_x += x == y ? 1 : 0;
-        }
-        Candidates const all = list.candidates(own_reach);
-        std::vector<std::uint32_t> found(list.size() + 4);
-        bool same_place = at_x == 0;
-        found.resize(kernels->list_near(all, x.data(), reach, found.data(), &same_place));
-        BOOST_REQUIRE(found == expected);
-        BOOST_REQUIRE_EQUAL(same_place, at_x > 0);
-      }
-    }
-  }
-}
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <string>
 
 #include "tests/support/random_particles.hpp"
@@ -250,6 +251,29 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(the_last_bit_of_a_distance_decides, D, Dimensions)
         BOOST_TEST(near < 3 * Pairs::count / 4);
       }
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(reaches_far_below_the_largest_are_kept_apart, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Cloud<Dim> const c = cloud<Dim>(13, 300, 0.2, Box::periodic);
+  Particles<Dim> particles(300, 0.1);
+  particles.vary_smoothing_length();
+  Random random(14);
+  for (double& h : particles.smoothing_lengths()) h *= std::pow(10.0, -random.uniform(0.0, 8.0));
+  SmoothingLength const h(particles);
+  CellGrid<Dim> const grid(c.positions, c.domain, 2.0 * h.largest());
+  auto const reach = [&](std::size_t i, std::size_t j) { return h(i) + h(j); };
+  BOOST_TEST(is_brute_force(find_neighbours(grid, h), c, reach));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(particles_may_be_farther_off_than_single_precision_holds, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (double const far : {1e10, 1e60}) {
+    Cloud<Dim> c = cloud<Dim>(15, 43, 0.3, Box::open);
+    c.positions.set(5, Vector<Dim>::Constant(far));
+    c.positions.set(6, Vector<Dim>::Constant(0.01 * far));  // in the cell of all the others
+    BOOST_TEST(is_brute_force(c.list(), c, [](std::size_t, std::size_t) { return 0.3; }));
   }
 }
 

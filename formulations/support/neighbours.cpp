@@ -242,8 +242,9 @@ class Search {
   }
 
   /// Rows of one cell may lie anywhere in a long list. Has the memory fetched of those that are written soon
-  /// after the place s, and where yet later ones begin.
-  void fetch_ahead(std::size_t s, NeighbourList const& to) const {
+  /// after the place s, and where yet later ones begin. Inlined by force: GCC drops calls of functions that
+  /// do nothing but fetch.
+  [[gnu::always_inline]] inline void fetch_ahead(std::size_t s, NeighbourList const& to) const {
     constexpr std::size_t rows_ahead = 6, offsets_ahead = 24, numbers_per_line = 16;
     std::vector<std::uint32_t> const& particles = grid_.particles();
     if (s + offsets_ahead < particles.size()) __builtin_prefetch(&to.first[particles[s + offsets_ahead]]);

@@ -16,6 +16,10 @@ namespace sphverify {
 
 namespace {
 
+/// Particles side by side in the cells lie anywhere in memory: by how many the fetching of what is kept for
+/// each goes ahead of its use.
+constexpr std::size_t particles_ahead = 24;
+
 /// A copy of what a search reads of every particle, in the order of the grid's cells, so that cells side by
 /// side are read at a stretch.
 template <int Dim>
@@ -30,6 +34,10 @@ class SortedParticles {
     half_reach_.resize(half_reach_of.empty() ? 0 : n + candidates_at_a_time);
     for_each_row(n, threads, [&](std::size_t s) {
       std::uint32_t const i = number_[s];
+      if (s + particles_ahead < n) {
+        std::uint32_t const later = number_[s + particles_ahead];
+        for (int k = 0; k < Dim; ++k) __builtin_prefetch(&grid.positions().component(k)[later]);
+      }
       Vector<Dim> const place = turned ? grid.domain().to_box(grid.positions()[i]) : grid.positions()[i];
       for (int k = 0; k < Dim; ++k) x_[static_cast<std::size_t>(k)][s] = place[k];
       if (!half_reach_.empty()) half_reach_[s] = half_reach_of[i];
@@ -245,9 +253,9 @@ class Search {
   /// after the place s, and where yet later ones begin. Inlined by force: GCC drops calls of functions that
   /// do nothing but fetch.
   [[gnu::always_inline]] inline void fetch_ahead(std::size_t s, NeighbourList const& to) const {
-    constexpr std::size_t rows_ahead = 6, offsets_ahead = 24, numbers_per_line = 16;
+    constexpr std::size_t rows_ahead = 6, numbers_per_line = 16;
     std::vector<std::uint32_t> const& particles = grid_.particles();
-    if (s + offsets_ahead < particles.size()) __builtin_prefetch(&to.first[particles[s + offsets_ahead]]);
+    if (s + particles_ahead < particles.size()) __builtin_prefetch(&to.first[particles[s + particles_ahead]]);
     if (s + rows_ahead >= particles.size()) return;
     std::uint32_t const* const all = to.neighbour.data();
     std::size_t const i = particles[s + rows_ahead];
@@ -290,7 +298,12 @@ class ListBuilder {
       found[part] = search.find(first_cell(part), first_cell(part + 1), length);
     });
     list.first.assign(n + 1, 0);
-    for (std::size_t s = 0; s < n; ++s) list.first[grid_.particles()[s] + 1] = length[s];
+    for (std::size_t s = 0; s < n; ++s) {
+      if (s + particles_ahead < n) {
+        __builtin_prefetch(&list.first[grid_.particles()[s + particles_ahead] + 1], 1);
+      }
+      list.first[grid_.particles()[s] + 1] = length[s];
+    }
     for (std::size_t i = 0; i < n; ++i) list.first[i + 1] += list.first[i];
     list.neighbour.resize(list.first[n]);
     for_each_part(parts, [&](Search<Dim>& search, std::size_t part) {

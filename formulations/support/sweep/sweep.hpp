@@ -103,15 +103,6 @@ struct SweepPlan {
   std::size_t term_count;
 };
 
-/// Candidates for the neighbours of a cell's particles, side by side: places (Dim arrays), and their parts of
-/// the reach where these differ. Filled up to whole packs with ones that are far away, aligned to 32 bytes.
-struct Candidates {
-  std::array<double const*, 3> x;
-  double const* half_reach;  ///< null where all pairs have the same reach
-  std::uint32_t const* particle;
-  std::size_t count;  ///< a multiple of 4
-};
-
 inline constexpr std::size_t most_schemes = 32;
 
 /// Sweeps of terms that are often wanted together have a loop of their own, in which a neighbour goes from
@@ -144,10 +135,6 @@ struct SweepKernels {
   /// rate_i = sum_j c_ij (T_i - T_j) for rows begin to end.
   void (*conduct)(std::size_t const* first, std::uint32_t const* neighbour, double const* conductance,
                   double const* temperature, std::size_t begin, std::size_t end, double* rate);
-  /// Writes the candidates that lie closer than reach to x to `out`, which has room for 4 more than there
-  /// are; returns their number, and whether one of them is at x.
-  std::size_t (*list_near)(Candidates const& all, double const* x, double reach, std::uint32_t* out,
-                           bool* same_place);
 };
 
 /// Doubles of scratch memory that a plan's rows need.

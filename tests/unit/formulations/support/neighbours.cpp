@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <string>
 
 #include "tests/support/random_particles.hpp"
@@ -183,6 +184,107 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(single_particle_has_an_empty_row_even_where_it_wou
     NeighbourList const list = cloud<Dim>(1, 1, 0.5, box).list();
     BOOST_TEST(list.rows() == 1u);
     BOOST_TEST(list.pairs() == 0u);
+  }
+}
+
+/// Pairs that lie along an axis, far from each other, at their reach times 1 + d, where d is 0 or as little
+/// as numbers of double or of single precision can tell, or a few times that.
+template <int Dim>
+struct PairsAtTheirReach {
+  Cloud<Dim> cloud;
+  std::vector<double> h;  ///< half the reach of each
+
+  PairsAtTheirReach(double reach, bool own, double scale)
+      : cloud{VectorField<Dim>(2 * count), {}, scale * reach} {
+    Random random(11);
+    std::vector<double> differences{0.0};
+    for (double const digit :
+         {0x1p-53, 0x1p-52, 0x1p-40, 0x1p-26, 0x1p-25, 0x1p-24, 0x1p-23, 0x1p-22, 0x1p-20}) {
+      differences.push_back(digit);
+      differences.push_back(-digit);
+    }
+    for (std::size_t pair = 0; pair < count; ++pair) {
+      Vector<Dim> x = random.vector<Dim>(0.0, 1.0) * reach;
+      x[0] += 5.0 * reach * static_cast<double>(pair);
+      double sum = 0.0;
+      for (int of_two = 0; of_two < 2; ++of_two)
+        sum += h.emplace_back(0.5 * reach * (own ? random.uniform(0.3, 1.0) : 1.0));
+      Vector<Dim> y = x;
+      int const axis = static_cast<int>(pair % Dim);
+      y[axis] += sum * (1.0 + differences[pair % differences.size()]);
+      cloud.positions.set(2 * pair, scale * x);
+      cloud.positions.set(2 * pair + 1, scale * y);
+    }
+    for (double& length : h) length *= scale;
+  }
+  /// As the numbers are rounded, and no better: all but one coordinate are the same.
+  bool are_near(std::size_t pair) const {
+    double const reach = h[2 * pair] + h[2 * pair + 1];
+    return (cloud.positions[2 * pair] - cloud.positions[2 * pair + 1]).squaredNorm() < reach * reach;
+  }
+  static constexpr std::size_t count = 600;
+};
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_last_bit_of_a_distance_decides, D, Dimensions) {
+  constexpr int Dim = D::value;
+  using Pairs = PairsAtTheirReach<Dim>;
+  for (double const reach : {0.25, 0.3}) {
+    for (bool const own : {false, true}) {
+      // Powers of two scale without rounding; single precision does not hold their squares.
+      for (double const scale : {1.0, 0x1p-100, 0x1p100}) {
+        Pairs const pairs(reach, own, scale);
+        Particles<Dim> particles(2 * Pairs::count, 0.5 * scale * reach);
+        if (own) particles.vary_smoothing_length();
+        if (own) particles.smoothing_lengths() = pairs.h;
+        SmoothingLength const h(particles);
+        CellGrid<Dim> const grid(pairs.cloud.positions, pairs.cloud.domain, pairs.cloud.reach);
+        NeighbourList const list = find_neighbours(grid, h);
+        std::size_t wrong = 0, near = 0;
+        for (std::size_t pair = 0; pair < Pairs::count; ++pair) {
+          bool const expected = pairs.are_near(pair);
+          near += expected ? 1 : 0;
+          wrong += list.row(2 * pair).size() == (expected ? 1u : 0u) ? 0 : 1;
+          wrong += list.row(2 * pair + 1).size() == (expected ? 1u : 0u) ? 0 : 1;
+        }
+        BOOST_TEST(wrong == 0u, wrong << " wrong, reach " << reach << ", own " << own << ", scale " << scale);
+        BOOST_TEST(near > Pairs::count / 4);
+        BOOST_TEST(near < 3 * Pairs::count / 4);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(reaches_far_below_the_largest_are_kept_apart, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Cloud<Dim> const c = cloud<Dim>(13, 300, 0.2, Box::periodic);
+  Particles<Dim> particles(300, 0.1);
+  particles.vary_smoothing_length();
+  Random random(14);
+  for (double& h : particles.smoothing_lengths()) h *= std::pow(10.0, -random.uniform(0.0, 8.0));
+  SmoothingLength const h(particles);
+  CellGrid<Dim> const grid(c.positions, c.domain, 2.0 * h.largest());
+  auto const reach = [&](std::size_t i, std::size_t j) { return h(i) + h(j); };
+  BOOST_TEST(is_brute_force(find_neighbours(grid, h), c, reach));
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(particles_may_be_farther_off_than_single_precision_holds, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (double const far : {1e10, 1e60}) {
+    Cloud<Dim> c = cloud<Dim>(15, 43, 0.3, Box::open);
+    c.positions.set(5, Vector<Dim>::Constant(far));
+    c.positions.set(6, Vector<Dim>::Constant(0.01 * far));  // in the cell of all the others
+    BOOST_TEST(is_brute_force(c.list(), c, [](std::size_t, std::size_t) { return 0.3; }));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(particles_that_all_but_touch_are_neighbours, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::open, Box::periodic}) {
+    Cloud<Dim> c = cloud<Dim>(12, 300, 0.2, box);
+    Vector<Dim> beside = c.positions[7];
+    beside[Dim - 1] += 1e-14;
+    c.positions.set(23, beside);
+    BOOST_TEST(is_brute_force(c.list(), c, [](std::size_t, std::size_t) { return 0.2; }));
   }
 }
 

@@ -43,14 +43,15 @@ class GasModes {
     return largest * scene_.spacing() / (speed * speed);
   }
 
-  Eigen::MatrixXd jacobian(double difference, std::function<bool()> const& out_of_time) {
+  /// @param part of its size by which each unknown is moved
+  Eigen::MatrixXd jacobian(double part, std::function<bool()> const& out_of_time) {
     auto const n = static_cast<Eigen::Index>(size());
     Eigen::MatrixXd matrix(n, n);
     std::vector<double> y = state_;
     std::vector<double> above(size()), below(size());
     for (std::size_t k = 0; k < size(); ++k) {
       if (out_of_time()) return {};
-      double const step = difference * sizes_[k];
+      double const step = part * sizes_[k];
       y[k] = state_[k] + step;
       rate(y, above);
       y[k] = state_[k] - step;

@@ -125,7 +125,9 @@ class CandidateBuffer {
     for (int k = 0; k < Dim; ++k) {
       auto const [low, high] = std::minmax_element(sorted_.x[k] + begin, sorted_.x[k] + end);
       home_.centre[k] = 0.5 * (*low + *high);
-      home_.half_extent[k] = static_cast<float>(0.5 * (*high - *low) * home_.per_reach);
+      // From the centre as it is rounded, which far from the origin is not in the middle.
+      double const half = std::max(*high - home_.centre[k], home_.centre[k] - *low);
+      home_.half_extent[k] = static_cast<float>(half * home_.per_reach);
       farthest = std::max(farthest, home_.half_extent[k]);
     }
     home_.largest_half_reach = 0.5f;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <numeric>
 #include <random>
 
 #include "formulations/support/expects.hpp"
@@ -33,10 +34,21 @@ SparseMatrix sparse_matrix(DependencyPattern const& pattern, std::vector<double>
   return matrix;
 }
 
-std::size_t rightmost(std::vector<std::complex<double>> const& eigenvalues) {
-  auto const less = [](auto const& a, auto const& b) { return a.real() < b.real(); };
-  return static_cast<std::size_t>(std::max_element(eigenvalues.begin(), eigenvalues.end(), less) -
-                                  eigenvalues.begin());
+bool grows(Spectrum const& s, std::size_t k) { return s.eigenvalues[k].real() > s.uncertainty[k]; }
+
+void put_growing_first(Spectrum& found) {
+  std::vector<std::size_t> order(found.eigenvalues.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if (grows(found, a) != grows(found, b)) return grows(found, a);
+    return found.eigenvalues[a].real() > found.eigenvalues[b].real();
+  });
+  Spectrum const before = found;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    found.eigenvalues[k] = before.eigenvalues[order[k]];
+    found.uncertainty[k] = before.uncertainty[order[k]];
+    found.modes[k] = before.modes[order[k]];
+  }
 }
 
 /// Approximate eigenvalues from a space of few dimensions, with their vectors where they have converged.
@@ -99,34 +111,29 @@ RitzPairs arnoldi(std::function<Eigen::VectorXd(Eigen::VectorXd const&)> const& 
 
 }  // namespace
 
-Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error, bool all_modes) {
+Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error) {
   // Backward error of the QR algorithm, in parts of the matrix's norm; above what was ever seen of it.
   constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
+  constexpr double coinciding = 4.0;
   Spectrum found;
   found.complete = true;
-  Eigen::EigenSolver<Eigen::MatrixXd> const solver(matrix, true);
-  found.eigenvalues.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
-  found.worst = rightmost(found.eigenvalues);
-  Eigen::MatrixXcd const vectors = solver.eigenvectors();
-  // The rows of the inverse are the left eigenvectors, of a length that makes their product with the right
-  // ones 1.
-  Eigen::MatrixXcd const inverse = vectors.inverse();
-  for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
-    double const change = (rounding + matrix_error) * matrix.norm();
-    double const moved = inverse.row(k).norm() * vectors.col(k).norm() * change;
-    // A defective matrix may have no inverse at all; no eigenvalue is larger than the norm.
-    found.uncertainty.push_back(moved < matrix.norm() ? moved : matrix.norm());
-  }
-  if (all_modes) {
-    for (Eigen::Index k = 0; k < vectors.cols(); ++k) found.modes.emplace_back(vectors.col(k));
-  } else {
-    found.modes.resize(found.eigenvalues.size());
-    found.modes[found.worst] = vectors.col(static_cast<Eigen::Index>(found.worst));
-  }
   auto const sizes = Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
   double const zero = 1e-12 * static_cast<double>(matrix.rows()) * sizes[0];
   found.unseen_modes = static_cast<std::uint64_t>(
       std::count_if(sizes.begin(), sizes.end(), [&](double s) { return s <= zero; }));
+  Eigen::EigenSolver<Eigen::MatrixXd> const solver(matrix, true);
+  found.eigenvalues.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
+  Eigen::MatrixXcd const vectors = solver.eigenvectors();
+  // Its rows are the left eigenvectors, of a length that makes their product with the right ones 1.
+  Eigen::MatrixXcd const inverse = vectors.inverse();
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
+    double const change = coinciding * (rounding + matrix_error) * matrix.norm();
+    double const moved = inverse.row(k).norm() * vectors.col(k).norm() * change;
+    // A defective matrix may have no inverse at all; no eigenvalue is larger than the largest singular value.
+    found.uncertainty.push_back(moved < sizes[0] ? moved : sizes[0]);
+    found.modes.emplace_back(vectors.col(k));
+  }
+  put_growing_first(found);
   return found;
 }
 
@@ -151,17 +158,18 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
     found.remark = "Arnoldi's method did not find the largest eigenvalues";
     return found;
   }
-  auto const take = [&](std::complex<double> value, Eigen::VectorXcd vector) {
+  auto const take = [&](std::complex<double> value, Eigen::VectorXcd vector, double residual) {
     found.eigenvalues.push_back(value);
-    found.uncertainty.push_back((accuracy + matrix_error) * radius);
+    found.uncertainty.push_back(residual + matrix_error * radius);
     found.modes.push_back(std::move(vector));
   };
-  for (std::size_t k = 0; k < outer.converged.size(); ++k) take(outer.converged[k], outer.vectors[k]);
+  for (std::size_t k = 0; k < outer.converged.size(); ++k)
+    take(outer.converged[k], outer.vectors[k], accuracy * radius);
   auto const highest = *std::max_element(outer.values.begin(), outer.values.end(), by(height));
   if (highest.imag() > 1e-6 * radius && !outer.has_converged(highest))
     found.remark = "Arnoldi's method did not find the largest imaginary part";
-  found.worst = rightmost(found.eigenvalues);
   if (values.size() > most_nonzeros) {
+    put_growing_first(found);
     found.knows_slowest = false;
     found.remark =
         fmt::format("the slowest eigenvalues are not looked for in more than {} nonzeros, found {}",
@@ -187,9 +195,10 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
     std::complex<double> const value = shift + 1.0 / slow.converged[k];
     // Far from the shift the inverse knows little.
     Eigen::VectorXcd const& v = slow.vectors[k];
-    if ((matrix * v - value * v).norm() < 1e-6 * radius) take(value, v);
+    double const residual = (matrix * v - value * v).norm();
+    if (residual < 1e-6 * radius) take(value, v, std::max(residual, accuracy * radius));
   }
-  found.worst = rightmost(found.eigenvalues);
+  put_growing_first(found);
   return found;
 }
 
@@ -203,11 +212,9 @@ Stability stability_of(Spectrum const& spectrum) {
   stability.method = spectrum.complete ? "dense" : "arnoldi";
   stability.remark = spectrum.remark;
   if (spectrum.eigenvalues.empty()) return stability;
-  double abscissa = -std::numeric_limits<double>::infinity();
   double radius = 0.0;
   double imaginary = 0.0;
   for (auto const& lambda : spectrum.eigenvalues) {
-    abscissa = std::max(abscissa, lambda.real());
     radius = std::max(radius, std::abs(lambda));
     imaginary = std::max(imaginary, std::abs(lambda.imag()));
   }
@@ -215,14 +222,14 @@ Stability stability_of(Spectrum const& spectrum) {
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < spectrum.eigenvalues.size(); ++k) {
     auto const& lambda = spectrum.eigenvalues[k];
-    if (lambda.real() > spectrum.uncertainty[k]) ++growing;
+    if (grows(spectrum, k)) ++growing;
     // A mode that only oscillates has no stable step, one that stands still (lambda = 0) any.
     if (std::abs(lambda) > spectrum.uncertainty[k])
       step = std::min(step, std::max(0.0, -2.0 * lambda.real() / std::norm(lambda)));
   }
   if (spectrum.knows_slowest || growing > 0) {
-    stability.spectral_abscissa = abscissa;
-    stability.abscissa_uncertainty = spectrum.uncertainty[spectrum.worst];
+    stability.spectral_abscissa = spectrum.eigenvalues.front().real();
+    stability.abscissa_uncertainty = spectrum.uncertainty.front();
   }
   stability.spectral_radius = radius;
   stability.largest_imaginary = imaginary;

@@ -18,13 +18,13 @@ inline constexpr std::size_t largest_sparse_spectrum = 50'000;
 inline constexpr std::size_t most_factorised_nonzeros = 1'000'000;
 
 /// Eigenvalues of a linear operator [1/s] and what else is known of it.
+/// Those that grow (whose real part exceeds their uncertainty) come first, each part by falling real part.
 struct Spectrum {
   std::vector<std::complex<double>> eigenvalues;  ///< all of them, or those found
   /// How far each may be off, by what the matrix is off and by rounding [1/s].
   std::vector<double> uncertainty;
   bool complete = false;
-  std::vector<Eigen::VectorXcd> modes;        ///< one per eigenvalue, or only `worst`'s
-  std::size_t worst = 0;                      ///< which eigenvalue has the largest real part
+  std::vector<Eigen::VectorXcd> modes;        ///< one per eigenvalue
   std::optional<std::uint64_t> unseen_modes;  ///< dimension of the kernel; known when complete
   bool knows_slowest = true;  ///< else a mode that hardly grows or decays may have been missed
   std::string remark;         ///< why it is not what was asked for
@@ -34,10 +34,10 @@ struct Spectrum {
 /// what defective zero eigenvalues hide is counted too: singular values below 1e-12 of the largest times the
 /// operator's size are zero. To first order an eigenvalue is off by at most what the matrix is off (its
 /// Frobenius norm) times 1/|y* x|, of its left and right eigenvectors of length 1 (Wilkinson, The Algebraic
-/// Eigenvalue Problem, 1965, chapter 2); a defective one so has the root of it, as it must.
+/// Eigenvalue Problem, 1965, chapter 2). Of m that all but coincide without as many eigenvectors this says
+/// the m-th part of what they are off, the m-th root of the change: four times it is taken.
 /// @param matrix_error what the matrix is off, as a part of it
-/// @param all_modes whether the modes of all eigenvalues are wanted
-Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error, bool all_modes = false);
+Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error);
 
 /// The outermost eigenvalues of a sparse matrix by Arnoldi's method, and those nearest to a point just right
 /// of zero by its shifted inverse, since slow modes hide from the former. Every one of them has a small

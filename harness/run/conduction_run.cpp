@@ -320,11 +320,11 @@ class ConductionRun {
       return;
     }
     ColouredJacobian& jacobian = conduction_.jacobian();
-    Spectrum const found = spectrum(
-        jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()), jacobian.error());
+    Spectrum const found =
+        spectrum(jacobian.pattern(), jacobian.evaluate(problem_.final_time, exact_.data()), jacobian.error());
     stability = stability_of(found);
     if (stability.spectral_abscissa) {
-      stability.worst_mode = mode_shape(found.eigenvalues[found.worst], found.modes[found.worst], particles_,
+      stability.worst_mode = mode_shape(found.eigenvalues.front(), found.modes.front(), particles_,
                                         problem_.domain, problem_.walls, conduction_.scene().spacing());
     }
     if (found.complete) measure_stable_steps(found);

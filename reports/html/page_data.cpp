@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <numeric>
 
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
@@ -404,24 +405,35 @@ double growth(RunRecord const& run) {
   return largest;
 }
 
-/// Growth of the slowest mode that the document counts as growing, infinite if it counts none. Of a large
-/// operator the outermost modes alone are known, and not how many others grow; but if any does, so does the
-/// fastest. Empty where not even that is known.
-/// @param growths of all modes that the run has
-Number slowest_growing(std::vector<double> growths, RunRecord const& run) {
-  if (!run.stability || growths.empty()) return std::nullopt;
-  Stability const& s = *run.stability;
-  if (!s.growing_modes && !s.worst_mode) return std::nullopt;
-  std::size_t const growing = std::min<std::size_t>(s.growing_modes.value_or(1), growths.size());
-  if (growing == 0) return INFINITY;
-  std::sort(growths.begin(), growths.end(), std::greater<>());
-  return growths[growing - 1];
+/// How many of a run's modes grow: the document has these first. Of a large operator the outermost modes
+/// alone are known, and not how many others grow; but if any does, so does the first. Empty where not even
+/// that is known.
+std::optional<std::size_t> growing_modes(RunRecord const& run) {
+  if (!run.stability || (!run.stability->growing_modes && !run.stability->worst_mode)) return std::nullopt;
+  return run.stability->growing_modes.value_or(1);
+}
+
+/// Which modes to draw: those that grow first, each part by falling growth, thinned out so that the first and
+/// the last stay.
+/// @param growths of all modes of the run, in the order of the document
+/// @param growing how many of them grow
+std::vector<std::size_t> modes_to_draw(std::vector<double> const& growths, std::size_t growing,
+                                       std::size_t points) {
+  std::vector<std::size_t> order(growths.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    if ((a < growing) != (b < growing)) return a < growing;
+    return growths[a] > growths[b];
+  });
+  std::vector<std::size_t> kept;
+  for (std::size_t const k : spread_evenly(order.size(), points)) kept.push_back(order[k]);
+  return kept;
 }
 
 /// How many of the modes that were kept grow; null where that is not known.
-Json growing_among(std::vector<double> const& kept, Number const& slowest) {
-  if (!slowest) return nullptr;
-  return std::count_if(kept.begin(), kept.end(), [&](double growth) { return growth >= *slowest; });
+Json growing_among(std::vector<std::size_t> const& kept, std::optional<std::size_t> const& growing) {
+  if (!growing) return nullptr;
+  return std::count_if(kept.begin(), kept.end(), [&](std::size_t k) { return k < *growing; });
 }
 
 Json spectra_json(Results const& results, std::size_t share) {
@@ -431,17 +443,15 @@ Json spectra_json(Results const& results, std::size_t share) {
   Json list = Json::array();
   for (auto const& [series, index] : chosen) {
     auto spectrum = results.runs[index].spectrum;
-    // Sorted by growth, so that thinning keeps the mode that grows most and the one that decays fastest.
     std::erase_if(spectrum, [](auto const& lambda) { return lambda.size() != 2; });
-    std::sort(spectrum.begin(), spectrum.end(), std::greater<>());
-    auto const kept = spread_evenly(spectrum.size(), points);
-    std::vector<double> growths, kept_growths;
+    std::vector<double> growths;
     for (auto const& lambda : spectrum) growths.push_back(lambda[0]);
-    for (std::size_t const k : kept) kept_growths.push_back(growths[k]);
+    auto const growing = growing_modes(results.runs[index]);
+    auto const kept = modes_to_draw(growths, growing.value_or(0), points);
     list.push_back({{"series", series},
                     {"run", index},
                     {"modes", spectrum.size()},
-                    {"growing", growing_among(kept_growths, slowest_growing(growths, results.runs[index]))},
+                    {"growing", growing_among(kept, growing)},
                     {"real", picked(spectrum, 0, kept)},
                     {"imaginary", picked(spectrum, 1, kept)}});
   }
@@ -524,15 +534,16 @@ Json perturbations_json(Results const& results, std::size_t share) {
   Json list = Json::array();
   for (auto const& [series, index] : chosen) {
     Stability const& s = *results.runs[index].stability;
+    auto const growing = growing_modes(results.runs[index]);
+    std::size_t growing_and_drawn = 0;
     std::vector<Mode const*> modes;
-    for (Mode const& mode : s.modes) {
-      if (mode.frequency >= 0.0 && !mode.centre.empty()) modes.push_back(&mode);
+    for (std::size_t k = 0; k < s.modes.size(); ++k) {
+      if (!(s.modes[k].frequency >= 0.0) || s.modes[k].centre.empty()) continue;
+      modes.push_back(&s.modes[k]);
+      if (k < growing.value_or(0)) ++growing_and_drawn;
     }
     auto const still =
         std::count_if(s.modes.begin(), s.modes.end(), [](Mode const& mode) { return mode.centre.empty(); });
-    // Sorted by growth, so that thinning keeps the one that grows most.
-    std::stable_sort(modes.begin(), modes.end(),
-                     [](Mode const* a, Mode const* b) { return a->growth > b->growth; });
     Json json = {{"series", series},
                  {"run", index},
                  {"modes", s.modes.size()},
@@ -540,15 +551,15 @@ Json perturbations_json(Results const& results, std::size_t share) {
                  {"wavelength", Json::array()},
                  {"growth", Json::array()},
                  {"frequency", Json::array()}};
-    std::vector<double> growths, kept_growths;
-    for (Mode const& mode : s.modes) growths.push_back(mode.growth);
-    for (std::size_t const k : spread_evenly(modes.size(), points)) {
-      kept_growths.push_back(modes[k]->growth);
+    std::vector<double> growths;
+    for (Mode const* mode : modes) growths.push_back(mode->growth);
+    auto const kept = modes_to_draw(growths, growing_and_drawn, points);
+    for (std::size_t const k : kept) {
       json["wavelength"].push_back(number(modes[k]->wavelength));
       json["growth"].push_back(number(modes[k]->growth));
       json["frequency"].push_back(number(modes[k]->frequency));
     }
-    json["growing"] = growing_among(kept_growths, slowest_growing(growths, results.runs[index]));
+    json["growing"] = growing_among(kept, growing ? std::optional(growing_and_drawn) : std::nullopt);
     list.push_back(std::move(json));
   }
   return list;

@@ -277,6 +277,28 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(particles_may_be_farther_off_than_single_precision
   }
 }
 
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_last_bit_of_a_place_decides_far_from_the_origin, D, Dimensions) {
+  constexpr int Dim = D::value;
+  // Two particles a bit apart, in one cell or across a border of cells, and on either side a third that only
+  // the nearer of them reaches: the middle of the two is no number, and rounding must not lose a pair.
+  for (double const place : {0x1p30, 0x1p32, 0x1p34, 0x1p38}) {
+    double const bit = place * 0x1p-52;
+    double const reach = 0.5 + 0.1 * bit;
+    Cloud<Dim> c = cloud<Dim>(16, 4 * 50, reach, Box::open);
+    for (std::size_t n = 0; n < 50; ++n) {
+      double const x = place + 8.0 * static_cast<double>(n) + 0.25 * static_cast<double>(n % 3) +
+                       bit * static_cast<double>(n % 7);
+      std::size_t i = 4 * n;
+      for (double const along : {x - 0.5, x, x + bit, x + bit + 0.5}) {
+        Vector<Dim> at = Vector<Dim>::Zero();
+        at[static_cast<int>(n % Dim)] = along;
+        c.positions.set(i++, at);
+      }
+    }
+    BOOST_TEST(is_brute_force(c.list(), c, [=](std::size_t, std::size_t) { return reach; }));
+  }
+}
+
 BOOST_AUTO_TEST_CASE_TEMPLATE(particles_that_all_but_touch_are_neighbours, D, Dimensions) {
   constexpr int Dim = D::value;
   for (Box const box : {Box::open, Box::periodic}) {

@@ -19,7 +19,7 @@ try:
     from selenium.webdriver.chrome.service import Service
     from selenium.webdriver.common.by import By
     from selenium.webdriver.common.keys import Keys
-    from selenium.webdriver.support.ui import Select
+    from selenium.webdriver.support.ui import Select, WebDriverWait
 except ImportError as missing:
     raise unittest.SkipTest(f"needs python3-selenium: {missing}")
 
@@ -243,7 +243,9 @@ class PageTest(program.ProgramTest):
         for kind in ["browser", "performance"]:
             self.driver.get_log(kind)
         self.driver.get((self.place / name).as_uri())
-        self.assertEqual(self.script("return document.documentElement.dataset.drawn"), "true")
+        # On a busy machine `get` may return before the page's script has run.
+        drawn = "return document.documentElement.dataset.drawn"
+        WebDriverWait(self.driver, 60).until(lambda _: self.script(drawn) == "true", "the page is not drawn")
 
     def script(self, text, *arguments):
         return self.driver.execute_script(text, *arguments)

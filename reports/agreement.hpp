@@ -23,7 +23,7 @@ struct Agreement {
 /// Compares all numbers of two records but times and how they were taken.
 Agreement agreement(RunRecord const& before, RunRecord const& now);
 
-/// One line: "137 numbers agree to the bit", or how many do not and which error moved most.
+/// One line: "all 137 agree to the bit", or how many do not and which error moved most.
 std::string agreement_text(Agreement const& agreement);
 
 }  // namespace sphverify

@@ -219,13 +219,17 @@ Stability stability_of(Spectrum const& spectrum) {
     imaginary = std::max(imaginary, std::abs(lambda.imag()));
   }
   std::uint64_t growing = 0;
+  bool is_known = true;
   double step = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < spectrum.eigenvalues.size(); ++k) {
     auto const& lambda = spectrum.eigenvalues[k];
     if (grows(spectrum, k)) ++growing;
     // A mode that only oscillates has no stable step, one that stands still (lambda = 0) any.
-    if (std::abs(lambda) > spectrum.uncertainty[k])
+    if (std::abs(lambda) > spectrum.uncertainty[k]) {
       step = std::min(step, std::max(0.0, -2.0 * lambda.real() / std::norm(lambda)));
+    } else if (std::abs(lambda) > slow_part * radius) {
+      is_known = false;
+    }
   }
   if (spectrum.knows_slowest || growing > 0) {
     stability.spectral_abscissa = spectrum.eigenvalues.front().real();
@@ -239,6 +243,8 @@ Stability stability_of(Spectrum const& spectrum) {
   if (!stability.remark.empty()) return stability;
   if (growing > 0) {
     stability.remark = "no step is stable: a mode grows";
+  } else if (!is_known) {
+    stability.remark = "a fast mode is not known well enough";
   } else if (step * radius < 1e-9) {
     stability.remark = "no step is stable: a mode oscillates undamped";
   } else if (std::isfinite(step)) {

@@ -17,6 +17,9 @@ inline constexpr std::size_t largest_sparse_spectrum = 50'000;
 /// s and 400 MB at most, in 3D, and nothing can interrupt it; both grow about with the square of it.
 inline constexpr std::size_t most_factorised_nonzeros = 1'000'000;
 
+/// Part of the spectral radius below which an eigenvalue that may be zero is taken for one that stands still.
+inline constexpr double slow_part = 1e-4;
+
 /// Eigenvalues of a linear operator [1/s] and what else is known of it.
 /// Those that grow (whose real part exceeds their uncertainty) come first, each part by falling real part.
 struct Spectrum {
@@ -30,7 +33,7 @@ struct Spectrum {
   std::string remark;         ///< why it is not what was asked for
 };
 
-/// All eigenvalues and the worst mode by Eigen's dense solver; the kernel by its singular values, so that
+/// All eigenvalues and modes by Eigen's dense solver; the kernel by its singular values, so that
 /// what defective zero eigenvalues hide is counted too: singular values below 1e-12 of the largest times the
 /// operator's size are zero. To first order an eigenvalue is off by at most what the matrix is off (its
 /// Frobenius norm) times 1/|y* x|, of its left and right eigenvectors of length 1 (Wilkinson, The Algebraic

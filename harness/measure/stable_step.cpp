@@ -59,7 +59,7 @@ StableStep stable_step(ButcherTable const& method, Spectrum const& spectrum) {
     double const size = std::abs(lambda);
     if (size <= spectrum.uncertainty[k]) {
       // Does not move, as far as is known; of a fast mode that would be too little.
-      if (size > 1e-4 * radius)
+      if (size > slow_part * radius)
         return {.theory = {}, .measured = {}, .remark = "a fast mode is not known well enough"};
       continue;
     }

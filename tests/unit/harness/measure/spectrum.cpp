@@ -63,6 +63,13 @@ BOOST_AUTO_TEST_CASE(the_stable_step_is_that_of_the_mode_that_allows_least) {
   BOOST_TEST(*s.spectral_radius == std::sqrt(10.0), tolerance(1e-13));
 }
 
+BOOST_AUTO_TEST_CASE(a_fast_mode_that_is_hardly_known_leaves_no_stable_step) {
+  Stability const s = stability_of(complete({{-1e-5, 0.0}, {-1.0, 0.0}}, 2.0));
+  BOOST_TEST(!s.largest_stable_step.has_value());
+  BOOST_TEST(s.remark == "a fast mode is not known well enough");
+  BOOST_TEST(*stability_of(complete({{-1e-5, 0.0}, {-1.0, 0.0}}, 0.5)).largest_stable_step == 2.0);
+}
+
 BOOST_AUTO_TEST_CASE(a_mode_that_grows_leaves_no_stable_step) {
   Stability const s = stability_of(complete({{0.3, 1.0}, {0.3, -1.0}, {-5.0, 0.0}}));
   BOOST_TEST(*s.spectral_abscissa == 0.3);

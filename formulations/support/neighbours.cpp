@@ -307,6 +307,7 @@ class ListBuilder {
       list.first[grid_.particles()[s] + 1] = length[s];
     }
     for (std::size_t i = 0; i < n; ++i) list.first[i + 1] += list.first[i];
+    list.neighbour.clear();  // or what it holds would be copied to where there is more room
     list.neighbour.resize(list.first[n]);
     for_each_part(parts, [&](Search<Dim>& search, std::size_t part) {
       search.write(first_cell(part), first_cell(part + 1), found[part].data(), list);

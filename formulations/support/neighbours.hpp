@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "formulations/support/cell_grid.hpp"
+#include "formulations/support/large_array.hpp"
 #include "formulations/support/smoothing_length.hpp"
 
 namespace sphverify {
@@ -12,8 +13,8 @@ namespace sphverify {
 /// Directed neighbour pairs in compressed rows: row i lists every j != i that is closer to i than some reach,
 /// cell by cell as the grid that found them has them.
 struct NeighbourList {
-  std::vector<std::size_t> first;        ///< rows + 1 offsets into `neighbour`
-  std::vector<std::uint32_t> neighbour;  ///< one entry per directed pair
+  std::vector<std::size_t> first;       ///< rows + 1 offsets into `neighbour`
+  LargeArray<std::uint32_t> neighbour;  ///< one entry per directed pair
 
   std::size_t rows() const { return first.size() - 1; }
   std::size_t pairs() const { return neighbour.size(); }

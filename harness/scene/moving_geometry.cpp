@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/self_consistent_smoothing.hpp"
 #include "formulations/support/sweep.hpp"
 
 namespace sphverify {
@@ -16,7 +17,6 @@ namespace {
 /// pays if it serves a few times.
 constexpr double usual_skin = 0.1;
 constexpr double least_uses = 3.0;
-constexpr int most_iterations = 100;
 
 }  // namespace
 
@@ -34,7 +34,8 @@ template <int Dim>
 void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls,
                                  std::vector<Wall<Dim>> const& all_walls) {
   if (choice_.adaptive) {
-    sums_density() ? adapt_smoothing_length_to_sum(particles, all_walls) : set_smoothing_length(particles);
+    sums_density() ? solve_smoothing_length(particles, all_walls) : set_smoothing_length(particles);
+    ++passes_["smoothing-length"];
   }
   if (has_outrun_list(particles)) find_list(particles);
   ++uses_;
@@ -134,43 +135,21 @@ void MovingGeometry<Dim>::set_smoothing_length(Particles<Dim>& particles) {
   for (std::size_t i = 0; i < h.size(); ++i) {
     h[i] = choice_.smoothing_ratio * std::pow(particles.masses()[i] / density[i], 1.0 / Dim);
   }
-  ++passes_["smoothing-length"];
 }
 
-/// Solves h_i = (h/dx) (m_i/rho_i(h_i))^(1/Dim) for all particles by fixed-point iteration, which converges
-/// at the rate at which the density hardly depends on h; at a jump it may swing, and is damped. What swings
-/// even so, as at the edge of a thin gas, is bisected: every term of h^Dim rho(h) rises with h, also of the
-/// normalised sum, so that there is one solution, on the side to which the iteration points.
 template <int Dim>
-void MovingGeometry<Dim>::adapt_smoothing_length_to_sum(Particles<Dim>& particles,
-                                                        std::vector<Wall<Dim>> const& walls) {
-  constexpr int undamped = 10;
-  constexpr int unbracketed = 30;
-  constexpr double settled = 1e-10;
-  auto& h = particles.smoothing_lengths();
-  std::vector<double> lower(h.size(), 0.0), upper(h.size(), std::numeric_limits<double>::infinity());
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    CellGrid<Dim> const grid(particles.positions(), geometry_.domain,
-                             CubicSpline<Dim>::support_ratio * SmoothingLength(particles).largest());
-    set_density(particles, grid, walls);
-    std::vector<double> const before = h;
-    set_smoothing_length(particles);
-    double change = 0.0;
-    for (std::size_t i = 0; i < h.size(); ++i) {
-      double const own = std::abs(h[i] / before[i] - 1.0);
-      change = std::max(change, own);
-      if (h[i] > before[i]) {
-        lower[i] = std::max(lower[i], before[i]);
-      } else {
-        upper[i] = std::min(upper[i], before[i]);
-      }
-      if (iteration < undamped) continue;
-      bool const bisect = iteration >= unbracketed && own >= settled && std::isfinite(upper[i]);
-      h[i] = bisect ? 0.5 * (lower[i] + upper[i]) : 0.5 * (h[i] + before[i]);
-    }
-    if (change < settled) return;
-  }
-  throw std::invalid_argument("the smoothing lengths that the summed density asks for do not settle");
+void MovingGeometry<Dim>::solve_smoothing_length(Particles<Dim>& particles,
+                                                 std::vector<Wall<Dim>> const& walls) {
+  std::vector<Wall<Dim>> const none;
+  SelfConsistentSmoothing<Dim> const equations{
+      particles.positions(),
+      particles.masses(),
+      geometry_.domain,
+      choice_.density == DensityRule::normalised ? walls : none,
+      choice_.smoothing_ratio,
+      choice_.threads,
+  };
+  equations.solve(particles.smoothing_lengths());
 }
 
 template class MovingGeometry<1>;

@@ -45,7 +45,7 @@ class MovingGeometry {
   void find_list(Particles<Dim> const& particles);
   void set_density(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);
   void set_smoothing_length(Particles<Dim>& particles);
-  void adapt_smoothing_length_to_sum(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls);
+  void solve_smoothing_length(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls);
 
   Choice choice_;
   PairGeometry<Dim> geometry_;

@@ -1,6 +1,6 @@
 """The extreme catalogue as a test: every run of it ends, as an answer with its error or as a failure that says why.
 
-    catalogue.py SPHVERIFY [--sample] [--keep FOLDER]
+    catalogue.py SPHVERIFY [--sample] [--patience FACTOR] [--keep FOLDER]
 
 Runs cases/studies/extremes*.json, or of each a sample that takes seconds, and looks at every run in the results. Exit
 status 1 if one is not as it must be.
@@ -110,6 +110,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("sphverify")
     parser.add_argument("--sample", action="store_true", help="the part that fast tests run")
+    parser.add_argument("--patience", type=float, default=1.0, help="factor for time budgets, of a slower build")
     parser.add_argument("--keep", type=pathlib.Path, help="folder for the results")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
@@ -120,6 +121,7 @@ def main():
             study = json.loads(path.read_text())
             if options.sample:
                 study = sampled(study)
+            study["time_budget"] *= options.patience
             document = folder / path.name
             results = folder / f"{path.stem}.results.json"
             document.write_text(json.dumps(study))

@@ -1,0 +1,133 @@
+#include "formulations/support/self_consistent_smoothing.hpp"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/density.hpp"
+#include "formulations/support/sweep.hpp"
+
+namespace sphverify {
+
+namespace {
+
+/// How far a guess is looked beyond at first: between two evaluations of moving particles h changes by less.
+constexpr double usual_widening = 1.2;
+constexpr int most_doublings = 60;
+constexpr int most_halvings = 60;
+constexpr int bits = 46;
+
+/// A particle's equation for x, its smoothing length in units of the guess: how much of it is missing at x, as
+/// a part of the whole. Falls with x.
+template <int Dim>
+class MissingMass {
+ public:
+  MissingMass(SelfConsistentSmoothing<Dim> const& all, std::size_t i, double guess)
+      : place_(all.positions[i]),
+        walls_(all.walls),
+        guess_(guess),
+        whole_(std::pow(all.ratio, Dim) / CubicSpline<Dim>::sigma) {}
+
+  /// What may be within the support at x, all of which is asked for before.
+  void meet(double mass_ratio, double distance) {
+    mass_ratio_.push_back(mass_ratio);
+    distance_.push_back(distance / guess_);
+  }
+
+  double operator()(double x) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < distance_.size(); ++k) {
+      double const q = distance_[k] / x;
+      if (q < CubicSpline<Dim>::support_ratio) sum += mass_ratio_[k] * CubicSpline<Dim>::shape(q);
+    }
+    if (!walls_.empty()) sum /= kernel_inside(place_, walls_, x * guess_);
+    return 1.0 - sum / whole_;
+  }
+
+ private:
+  Vector<Dim> place_;
+  std::vector<Wall<Dim>> const& walls_;
+  double guess_;
+  double whole_;
+  std::vector<double> mass_ratio_;  ///< m_j/m_i
+  std::vector<double> distance_;    ///< in units of the guess
+};
+
+/// The x between 0 and `upper` at which nothing is missing, where something is not at `upper`.
+template <int Dim>
+double root(MissingMass<Dim> const& missing, double upper, double at_upper) {
+  double lower = 1.0 / usual_widening;
+  double at_lower = missing(lower);
+  for (int halving = 0; at_lower < 0.0; ++halving) {
+    if (halving == most_halvings) {
+      throw std::invalid_argument("no smoothing length is short enough for the density summed with it");
+    }
+    upper = lower;
+    at_upper = at_lower;
+    lower *= 0.5;
+    at_lower = missing(lower);
+  }
+  std::uintmax_t steps = 200;
+  auto const [below, above] = boost::math::tools::toms748_solve(
+      missing, lower, upper, at_lower, at_upper, boost::math::tools::eps_tolerance<double>(bits), steps);
+  return 0.5 * (below + above);
+}
+
+}  // namespace
+
+template <int Dim>
+void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& h) const {
+  constexpr double support = CubicSpline<Dim>::support_ratio;
+  double widest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < Dim; ++k) {
+    if (domain.periodic[k]) widest = std::min(widest, 0.5 * domain.extent()[k]);
+  }
+  std::vector<std::size_t> open(h.size());
+  std::iota(open.begin(), open.end(), std::size_t{0});
+  double widening = usual_widening;
+  // Who turns out to need more than was looked at is looked at again, twice as far.
+  for (int doubling = 0; !open.empty(); ++doubling, widening *= 2.0) {
+    if (doubling == most_doublings) {
+      throw std::invalid_argument("no smoothing length is long enough for the density summed with it");
+    }
+    double longest = 0.0;
+    for (std::size_t const i : open) longest = std::max(longest, h[i]);
+    double const asked = support * widening * longest;
+    // Where a box has no room for the guess itself, the grid says so.
+    double const reach = asked > widest ? std::max(widest, support * longest) : asked;
+    CellGrid<Dim> const grid(positions, domain, reach);
+    std::vector<char> solved(open.size(), 0);
+    for_each_row(open.size(), threads, [&](std::size_t row) {
+      std::size_t const i = open[row];
+      double const upper = std::min(widening, reach / (support * h[i]));
+      MissingMass<Dim> missing(*this, i, h[i]);
+      grid.for_each_within_reach(positions[i], [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+        if (distance < support * upper * h[i]) missing.meet(masses[j] / masses[i], distance);
+      });
+      double const at_upper = missing(upper);
+      if (at_upper > 0.0) return;
+      h[i] *= root(missing, upper, at_upper);
+      solved[row] = 1;
+    });
+    std::size_t left = 0;
+    for (std::size_t row = 0; row < open.size(); ++row) {
+      if (!solved[row]) open[left++] = open[row];
+    }
+    open.resize(left);
+    if (!open.empty() && asked > widest) {
+      throw std::invalid_argument(
+          "the smoothing lengths that the summed density asks for are too long for the periodic box");
+    }
+  }
+}
+
+template struct SelfConsistentSmoothing<1>;
+template struct SelfConsistentSmoothing<2>;
+template struct SelfConsistentSmoothing<3>;
+
+}  // namespace sphverify

@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   register_hand_written(sides);
   register_product(sides);
   register_line();
+  register_scenes(sides);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

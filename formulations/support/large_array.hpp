@@ -17,6 +17,7 @@ void free_large(void* memory, std::size_t bytes) noexcept;
 /// Elements that are added by resize() hold anything, and cost nothing: who resizes writes them all.
 template <class T>
 struct LargeArrayAllocator {
+  static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
   using value_type = T;
 
   LargeArrayAllocator() = default;

@@ -7,6 +7,8 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/density.hpp"
@@ -16,14 +18,15 @@ namespace sphverify {
 
 namespace {
 
-/// How far a guess is looked beyond at first: between two evaluations of moving particles h changes by less.
+/// How far a guess is looked beyond at first: between two evaluations of moving particles h usually changes
+/// by less.
 constexpr double usual_widening = 1.2;
 constexpr int most_doublings = 60;
 constexpr int most_halvings = 60;
 constexpr int bits = 46;
 
-/// A particle's equation for x, its smoothing length in units of the guess: how much of it is missing at x, as
-/// a part of the whole. Falls with x.
+/// A particle's equation for x, its smoothing length in units of the guess: how much of it is missing at x,
+/// as a part of the whole. Falls with x.
 template <int Dim>
 class MissingMass {
  public:
@@ -65,7 +68,9 @@ double root(MissingMass<Dim> const& missing, double upper, double at_upper) {
   double at_lower = missing(lower);
   for (int halving = 0; at_lower < 0.0; ++halving) {
     if (halving == most_halvings) {
-      throw std::invalid_argument("no smoothing length is short enough for the density summed with it");
+      throw std::invalid_argument(
+          "no smoothing length is short enough for the density summed with it: two particles are in one "
+          "place, or one is on or outside a wall");
     }
     upper = lower;
     at_upper = at_lower;
@@ -81,11 +86,19 @@ double root(MissingMass<Dim> const& missing, double upper, double at_upper) {
 }  // namespace
 
 template <int Dim>
-void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& h) const {
+void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) const {
   constexpr double support = CubicSpline<Dim>::support_ratio;
   double widest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < Dim; ++k) {
     if (domain.periodic[k]) widest = std::min(widest, 0.5 * domain.extent()[k]);
+  }
+  std::vector<double> h = smoothing_length;
+  for (std::size_t i = 0; i < h.size(); ++i) {
+    if (!(std::isnormal(h[i]) && h[i] > 0.0 && std::isnormal(masses[i]) && masses[i] > 0.0)) {
+      throw std::invalid_argument("particle " + std::to_string(i) +
+                                  " has no positive, finite mass and smoothing length");
+    }
+    h[i] = std::min(h[i], widest / support);
   }
   std::vector<std::size_t> open(h.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
@@ -97,11 +110,10 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& h) const {
     }
     double longest = 0.0;
     for (std::size_t const i : open) longest = std::max(longest, h[i]);
-    double const asked = support * widening * longest;
-    // Where a box has no room for the guess itself, the grid says so.
-    double const reach = asked > widest ? std::max(widest, support * longest) : asked;
+    double const reach = std::min(support * widening * longest, widest);
     CellGrid<Dim> const grid(positions, domain, reach);
-    std::vector<char> solved(open.size(), 0);
+    enum : char { not_yet, solved, fills_the_box };
+    std::vector<char> end(open.size(), not_yet);
     for_each_row(open.size(), threads, [&](std::size_t row) {
       std::size_t const i = open[row];
       double const upper = std::min(widening, reach / (support * h[i]));
@@ -110,20 +122,24 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& h) const {
         if (distance < support * upper * h[i]) missing.meet(masses[j] / masses[i], distance);
       });
       double const at_upper = missing(upper);
-      if (at_upper > 0.0) return;
+      if (at_upper > 0.0) {
+        if (upper < widening) end[row] = fills_the_box;
+        return;
+      }
       h[i] *= root(missing, upper, at_upper);
-      solved[row] = 1;
+      end[row] = solved;
     });
-    std::size_t left = 0;
-    for (std::size_t row = 0; row < open.size(); ++row) {
-      if (!solved[row]) open[left++] = open[row];
-    }
-    open.resize(left);
-    if (!open.empty() && asked > widest) {
+    if (std::find(end.begin(), end.end(), fills_the_box) != end.end()) {
       throw std::invalid_argument(
           "the smoothing lengths that the summed density asks for are too long for the periodic box");
     }
+    std::size_t left = 0;
+    for (std::size_t row = 0; row < open.size(); ++row) {
+      if (end[row] == not_yet) open[left++] = open[row];
+    }
+    open.resize(left);
   }
+  smoothing_length = std::move(h);
 }
 
 template struct SelfConsistentSmoothing<1>;

@@ -22,10 +22,12 @@ struct SelfConsistentSmoothing {
   double ratio;                         ///< h/dx
   int threads;
 
-  /// Replaces a guess by the solution, to 1e-13 of it.  [m]
-  /// Throws std::invalid_argument where there is none (particles in one place, or a ratio at which a
-  /// particle's own term is too much: below 0.667, 0.675, 0.683 in 1, 2, 3 dimensions), where a support
-  /// would be wider than half a periodic box, or where a coordinate is not finite.
+  /// Replaces a guess by the solution. [m] Round-off is all that the equations are missed by; of h that is
+  /// 1e-13, but for particles so clumped that their own sum hardly depends on it.
+  /// Throws std::invalid_argument, and leaves the guess as it was, where there is no solution (particles in
+  /// one place; a ratio at which a particle's own term is too much: below sigma^(1/Dim), which is 0.667, 0.674
+  /// and 0.683 in 1, 2 and 3 dimensions, and (2 sigma)^(1/Dim) on or outside a wall; a particle alone in the
+  /// open), where a support would be wider than half a periodic box, or where a number is not finite.
   void solve(std::vector<double>& smoothing_length) const;
 };
 

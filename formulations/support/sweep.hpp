@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include "formulations/support/fork_join.hpp"
 #include "formulations/support/views.hpp"
 
 namespace sphverify {
@@ -17,10 +18,13 @@ void for_each_block(std::size_t count, int threads, Block const& block, std::siz
     if (count > 0) block(std::size_t{0}, count);
     return;
   }
+  ForkJoin loop;
   tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least),
-                      [&](auto const& rows) { block(rows.begin(), rows.end()); });
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), [&](auto const& rows) {
+      ForkJoin::Part const part(loop);
+      block(rows.begin(), rows.end());
+    });
   });
 }
 

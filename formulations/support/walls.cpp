@@ -79,6 +79,28 @@ double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim
   return sum;
 }
 
+/// Adds those that a foot point interpolates from, and their kernels, to the last contact's.
+/// @return foot_density() there; where it is 0 nothing is added
+template <int Dim>
+double add_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid, Vector<Dim> const& foot,
+                         std::vector<Wall<Dim>> const& walls, double h, std::vector<double> const& mass) {
+  double const factor = wall_interpolation_factor(foot, walls, h);
+  std::size_t const before = contacts.interpolation_neighbour.size();
+  double sum = 0.0;
+  grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+    double const kernel = factor * CubicSpline<Dim>::value(distance, h);
+    if (kernel == 0.0) return;
+    contacts.interpolation_neighbour.push_back(j);
+    contacts.interpolation_kernel.push_back(kernel);
+    sum += mass[j] * kernel;
+  });
+  if (sum <= 0.0) {
+    contacts.interpolation_neighbour.resize(before);
+    contacts.interpolation_kernel.resize(before);
+  }
+  return sum;
+}
+
 template <int Dim>
 std::size_t walls_within_reach(std::vector<Wall<Dim>> const& walls, Vector<Dim> const& x, double reach) {
   return static_cast<std::size_t>(std::count_if(
@@ -99,6 +121,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
   expects(self != all_walls.end());
   auto const index = static_cast<std::size_t>(self - all_walls.begin());
   std::vector<Vector<Dim>> feet;
+  contacts.interpolation_first.push_back(0);
   contacts.outward_normal = wall.outward_normal;
   contacts.prescribes_flux_only =
       wall.prescribes(BoundaryValue::flux) && !wall.prescribes(BoundaryValue::temperature);
@@ -117,8 +140,10 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
     if (!foot) continue;
     bool const is_plane_s_own = *foot == wall.foot(positions[i]);  // else it may be out of reach
     if (!is_plane_s_own && (*foot - positions[i]).norm() >= reach) continue;
-    if (foot_density(grid, *foot, all_walls, h, mass) <= 0.0)
-      continue;  // alone, and at reach but for round-off
+    double const at_foot = add_interpolation(contacts, grid, *foot, all_walls, h, mass);
+    if (at_foot <= 0.0) continue;  // alone, and at reach but for round-off
+    contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
+    contacts.foot_density.push_back(at_foot);
     feet.push_back(*foot);
     contacts.particle.push_back(static_cast<std::uint32_t>(i));
     contacts.distance.push_back(d);
@@ -131,22 +156,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
   }
 
   contacts.foot = VectorField<Dim>(contacts.size());
-  contacts.interpolation_first.push_back(0);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    double const h = smoothing_length(contacts.particle[c]);
-    double const factor = wall_interpolation_factor(feet[c], all_walls, h);
-    contacts.foot.set(c, feet[c]);
-    double sum = 0.0;
-    grid.for_each_within_reach(feet[c], [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-      double const kernel = factor * CubicSpline<Dim>::value(distance, h);
-      if (kernel == 0.0) return;
-      contacts.interpolation_neighbour.push_back(j);
-      contacts.interpolation_kernel.push_back(kernel);
-      sum += mass[j] * kernel;
-    });
-    contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
-    contacts.foot_density.push_back(sum);
-  }
+  for (std::size_t c = 0; c < contacts.size(); ++c) contacts.foot.set(c, feet[c]);
   return contacts;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "formulations/support/cubic_spline.hpp"
@@ -142,12 +141,9 @@ void MovingGeometry<Dim>::solve_smoothing_length(Particles<Dim>& particles,
                                                  std::vector<Wall<Dim>> const& walls) {
   std::vector<Wall<Dim>> const none;
   SelfConsistentSmoothing<Dim> const equations{
-      particles.positions(),
-      particles.masses(),
-      geometry_.domain,
-      choice_.density == DensityRule::normalised ? walls : none,
-      choice_.smoothing_ratio,
-      choice_.threads,
+      particles.positions(),   particles.masses(),
+      geometry_.domain,        choice_.density == DensityRule::normalised ? walls : none,
+      choice_.smoothing_ratio, choice_.threads,
   };
   equations.solve(particles.smoothing_lengths());
 }

@@ -10,6 +10,7 @@
 #include <optional>
 #include <thread>
 
+#include "formulations/support/fork_join.hpp"
 #include "harness/measure/series.hpp"
 #include "harness/study/context.hpp"
 #include "harness/study/expand.hpp"
@@ -125,11 +126,13 @@ void run_study(Study const& study, StudyOptions const& options) {
     }
     int const jobs = std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion));
     Progress progress(std::move(runs), jobs);
+    ForkJoin loop;
     tbb::task_arena arena(jobs);
     arena.execute([&] {
       tbb::parallel_for(
           std::size_t{0}, todo.size(),
           [&](std::size_t n) {
+            ForkJoin::Part const part(loop);
             std::size_t const k = todo[n];
             RunSpec const& spec = expansion.runs[k];
             progress.started(k);

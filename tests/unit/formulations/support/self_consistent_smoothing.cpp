@@ -1,6 +1,8 @@
 #include "formulations/support/self_consistent_smoothing.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
+#include <limits>
 #include <random>
 
 #include "tests/support/dense.hpp"
@@ -150,8 +152,50 @@ BOOST_AUTO_TEST_CASE(a_support_longer_than_half_the_periodic_box_is_refused_and_
   }
   gas.ratio = 1.99;  // a support of 3.98 of the 4 spacings that there is room for
   BOOST_TEST(gas.residual(gas.solve(std::vector<double>(8, 0.2))) < 1e-12);
+  BOOST_TEST(gas.residual(gas.solve(std::vector<double>(8, 0.4))) < 1e-12);  // a guess that does not
   gas.ratio = 2.1;
   BOOST_CHECK_THROW(gas.solve(std::vector<double>(8, 0.2)), std::invalid_argument);
+}
+
+BOOST_AUTO_TEST_CASE(a_short_guess_beside_long_ones_is_looked_beyond_again) {
+  Gas<1> gas(12);
+  gas.domain.periodic = {true};
+  for (double& mass : gas.masses) mass = 1.0;
+  for (std::size_t i = 0; i < 12; ++i) {  // a void of a third of the box
+    gas.positions.set(i, Vector<1>(0.05 + 0.6 * static_cast<double>(i * i) / 121.0));
+  }
+  std::vector<double> const h = gas.solve(std::vector<double>(12, 0.1));
+  BOOST_TEST_REQUIRE(2.0 * 1.2 * *std::max_element(h.begin(), h.end()) > 0.3);
+  for (std::size_t i = 0; i < 12; ++i) {
+    for (double const factor : {0.83, 0.5, 0.1}) {
+      std::vector<double> guess = h;
+      guess[i] *= factor;
+      BOOST_TEST(relative_difference(gas.solve(guess), h) < 1e-12);
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(a_guess_is_kept_where_there_is_no_solution_and_numbers_must_be_finite) {
+  Gas<1> gas(40);
+  gas.positions.set(1, gas.positions[0]);
+  gas.masses[1] = gas.masses[0];
+  std::vector<double> const guess(40, 0.03);
+  std::vector<double> h = guess;
+  SelfConsistentSmoothing<1> const equations{gas.positions, gas.masses, gas.domain, gas.walls, 1.2, 2};
+  BOOST_CHECK_THROW(equations.solve(h), std::invalid_argument);
+  BOOST_TEST(same_bits(h, guess));
+  Gas<1> whole(40);
+  for (double const wrong : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    Gas<1> one = whole;
+    one.masses[7] = wrong;
+    BOOST_CHECK_THROW(one.solve(guess), std::invalid_argument);
+    h = guess;
+    h[7] = wrong;
+    BOOST_CHECK_THROW(whole.solve(h), std::invalid_argument);
+  }
+  whole.add_walls();
+  whole.positions.set(3, Vector<1>(0.0));  // sees twice its own term, 4/3
+  BOOST_CHECK_THROW(whole.solve(guess), std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

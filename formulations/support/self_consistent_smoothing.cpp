@@ -63,14 +63,15 @@ class MissingMass {
 
 /// The x between 0 and `upper` at which nothing is missing, where something is not at `upper`.
 template <int Dim>
-double root(MissingMass<Dim> const& missing, double upper, double at_upper) {
+double root(MissingMass<Dim> const& missing, double upper, double at_upper, std::size_t particle) {
   double lower = 1.0 / usual_widening;
   double at_lower = missing(lower);
   for (int halving = 0; at_lower < 0.0; ++halving) {
     if (halving == most_halvings) {
       throw std::invalid_argument(
-          "no smoothing length is short enough for the density summed with it: two particles are in one "
-          "place, or one is on or outside a wall");
+          "no smoothing length of particle " + std::to_string(particle) +
+          " is short enough for the density summed with it: another is in its place, or it is on or "
+          "outside a wall");
     }
     upper = lower;
     at_upper = at_lower;
@@ -106,7 +107,8 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) 
   // Who turns out to need more than was looked at is looked at again, twice as far.
   for (int doubling = 0; !open.empty(); ++doubling, widening *= 2.0) {
     if (doubling == most_doublings) {
-      throw std::invalid_argument("no smoothing length is long enough for the density summed with it");
+      throw std::invalid_argument("no smoothing length of particle " + std::to_string(open.front()) +
+                                  " is long enough for the density summed with it: it is alone in the open");
     }
     double longest = 0.0;
     for (std::size_t const i : open) longest = std::max(longest, h[i]);
@@ -126,7 +128,7 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) 
         if (upper < widening) end[row] = fills_the_box;
         return;
       }
-      h[i] *= root(missing, upper, at_upper);
+      h[i] *= root(missing, upper, at_upper, i);
       end[row] = solved;
     });
     if (std::find(end.begin(), end.end(), fills_the_box) != end.end()) {

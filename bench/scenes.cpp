@@ -63,7 +63,7 @@ void measure_moving(benchmark::State& state, Needs const& needs, std::size_t sid
   MovingScene<3> scene(make_problem(needs), make_choice(needs, side));
   std::vector<double> const here = scene.initial_state();
   std::vector<double> there = here;
-  // Further than the list's skin, and not into a wall.
+  // Too far for a list to be kept, and not into a wall.
   double const shift = 0.15 * scene.particles().smoothing_length();
   for (std::size_t i = 0; i < scene.particles().size(); ++i) there[i] += shift;
   scene.evaluate(0.0, here.data());

@@ -22,7 +22,8 @@ function(sphverify_embed_files target name)
       "-DFILES=${ARG_FILES}" "-DLICENCES=${ARG_LICENCES}" -P "${CMAKE_CURRENT_FUNCTION_LIST_FILE}"
     DEPENDS ${present} "${CMAKE_CURRENT_FUNCTION_LIST_FILE}" VERBATIM)
   target_sources(${target} PRIVATE "${output}")
-  set_source_files_properties("${output}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+  set_source_files_properties("${output}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON
+    COMPILE_OPTIONS -Wno-overlength-strings)
 endfunction()
 
 if(NOT CMAKE_SCRIPT_MODE_FILE)

@@ -2,22 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/self_consistent_smoothing.hpp"
 #include "formulations/support/sweep.hpp"
+#include "harness/scene/list_skin.hpp"
 
 namespace sphverify {
-
-namespace {
-
-/// Beyond the support, in smoothing lengths: a list that is a tenth wider has a third more pairs in 3D, and
-/// pays if it serves a few times.
-constexpr double usual_skin = 0.1;
-constexpr double least_uses = 3.0;
-
-}  // namespace
 
 template <int Dim>
 MovingGeometry<Dim>::MovingGeometry(Domain<Dim> const& domain, Choice const& choice) : choice_(choice) {
@@ -26,7 +19,7 @@ MovingGeometry<Dim>::MovingGeometry(Domain<Dim> const& domain, Choice const& cho
 
 template <int Dim>
 std::size_t MovingGeometry<Dim>::bytes() const {
-  return geometry_.bytes() + sizeof(double) * (Dim * found_at_.size() + reach_.capacity());
+  return geometry_.bytes() + sizeof(double) * (Dim * found_at_.size() + found_with_.capacity());
 }
 
 template <int Dim>
@@ -36,7 +29,11 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
     sums_density() ? solve_smoothing_length(particles, all_walls) : set_smoothing_length(particles);
     ++passes_["smoothing-length"];
   }
-  if (has_outrun_list(particles)) find_list(particles);
+  if (!grid_) {
+    find_list(particles, 0.0);  // how fast they are is not known yet
+  } else if (double const used = skin_used(particles); !(used <= skin_)) {
+    find_list(particles, cheapest_skin(used / static_cast<double>(uses_), Dim));
+  }
   ++uses_;
   if (sums_density()) set_density(particles, *grid_, all_walls);
   if (walls.empty()) return;
@@ -50,58 +47,49 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
   ++passes_["wall-contacts"];
 }
 
-/// The list holds every pair that was closer than (reach_i + reach_j) supports of one length. A pair is now
-/// closer than its support only if it was closer than that plus what both have moved.
+/// By how much, in smoothing lengths, places and smoothing lengths have changed since the list was found. It
+/// holds every pair that was closer than (1 + skin)(h_i + h_j), and a pair is now closer than h_i + h_j only
+/// if it was closer than that plus what both have moved. Infinite where a place is not a number.
 template <int Dim>
-bool MovingGeometry<Dim>::has_outrun_list(Particles<Dim> const& particles) const {
-  if (!grid_) return true;
+double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
   SmoothingLength const h(particles);
+  double used = 0.0;
   double farthest = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     Vector<Dim> const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]);
-    double const reach = h.is_uniform() ? reach_.front() : reach_[i];
-    // Not only beyond: a place that is not a number is not within either.
-    if (!(h(i) + moved.norm() <= reach)) return true;
+    double const of_one =
+        (h(i) + moved.norm()) / (h.is_uniform() ? found_with_.front() : found_with_[i]) - 1.0;
+    if (!std::isfinite(of_one)) return std::numeric_limits<double>::infinity();
+    used = std::max(used, of_one);
     farthest = std::max(farthest, moved.norm());
   }
   // The grid is asked for all within the largest support, whoever has moved.
-  return CubicSpline<Dim>::support_ratio * h.largest() + farthest > grid_->reach();
+  constexpr double support_ratio = CubicSpline<Dim>::support_ratio;
+  double const found_with = *std::max_element(found_with_.begin(), found_with_.end());
+  return std::max(used, (h.largest() + farthest / support_ratio) / found_with - 1.0);
 }
 
 template <int Dim>
-double MovingGeometry<Dim>::choose_skin(Particles<Dim> const& particles) const {
-  if (!grid_ || uses_ == 0) return usual_skin;
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    Vector<Dim> const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]);
-    farthest = std::max(farthest, moved.norm());
-  }
-  double const per_use = farthest / static_cast<double>(uses_);
-  return usual_skin * particles.smoothing_length() >= least_uses * per_use ? usual_skin : 0.0;
-}
-
-template <int Dim>
-void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles) {
+void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin) {
   SmoothingLength const h(particles);
-  double const wider = 1.0 + choose_skin(particles);
   double const support = CubicSpline<Dim>::support_ratio * h.largest();
   // Where a periodic axis is just long enough for the support, there is no room for a skin.
-  double reach = wider * support;
+  double reach = (1.0 + skin) * support;
   for (int k = 0; k < Dim; ++k) {
     double const half = 0.5 * geometry_.domain.extent()[k];
     if (geometry_.domain.periodic[k] && reach > half) reach = std::max(support, half);
   }
-  double const fitted = reach / support;
+  skin_ = reach / support - 1.0;
   NeighbourList old = std::move(geometry_.neighbours);
   geometry_.neighbours.first.assign(particles.size() + 1, 0);  // should what follows not succeed
   geometry_.neighbours.neighbour.clear();
   grid_.reset();
   CellGrid<Dim> const grid(particles.positions(), geometry_.domain, reach);
-  geometry_.neighbours = find_neighbours(grid, h, fitted - 1.0, choice_.threads, std::move(old));
+  geometry_.neighbours = find_neighbours(grid, h, skin_, choice_.threads, std::move(old));
   grid_.emplace(grid);
-  reach_.assign(h.is_uniform() ? 1 : particles.size(), fitted * particles.smoothing_length());
+  found_with_.assign(h.is_uniform() ? 1 : particles.size(), particles.smoothing_length());
   if (!h.is_uniform()) {
-    for (std::size_t i = 0; i < reach_.size(); ++i) reach_[i] = fitted * h(i);
+    for (std::size_t i = 0; i < found_with_.size(); ++i) found_with_[i] = h(i);
   }
   found_at_ = particles.positions();
   uses_ = 0;

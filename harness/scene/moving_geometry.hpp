@@ -10,8 +10,9 @@
 namespace sphverify {
 
 /// What depends on where the particles of a moving gas are: neighbours, densities that are sums, smoothing
-/// lengths that follow the density, wall contacts. Neighbours are found a little beyond the support where the
-/// particles are slow, and are kept until one has moved further than that skin.
+/// lengths that follow the density, wall contacts. Neighbours are found a little beyond the support, by as
+/// much as the particles' speed makes cheapest (list_skin.hpp), and are kept until one has moved further than
+/// that skin.
 template <int Dim>
 class MovingGeometry {
  public:
@@ -40,9 +41,8 @@ class MovingGeometry {
 
  private:
   bool sums_density() const { return choice_.density != DensityRule::continuity; }
-  bool has_outrun_list(Particles<Dim> const& particles) const;
-  double choose_skin(Particles<Dim> const& particles) const;
-  void find_list(Particles<Dim> const& particles);
+  double skin_used(Particles<Dim> const& particles) const;
+  void find_list(Particles<Dim> const& particles, double skin);
   void set_density(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);
   void set_smoothing_length(Particles<Dim>& particles);
   void solve_smoothing_length(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls);
@@ -50,9 +50,10 @@ class MovingGeometry {
   Choice choice_;
   PairGeometry<Dim> geometry_;
   std::optional<CellGrid<Dim>> grid_;
-  VectorField<Dim> found_at_;  ///< places at which the list was found
-  std::vector<double> reach_;  ///< (1 + skin) h_i when it was; one for all where h is uniform
-  std::uint64_t uses_ = 0;     ///< of the list
+  VectorField<Dim> found_at_;       ///< places at which the list was found
+  std::vector<double> found_with_;  ///< smoothing lengths with which it was; one for all where h is uniform
+  double skin_ = 0.0;               ///< of the list, in smoothing lengths
+  std::uint64_t uses_ = 0;          ///< of the list
   std::map<std::string_view, std::uint64_t> passes_;
 };
 

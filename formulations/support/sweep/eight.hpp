@@ -87,17 +87,18 @@ class ToFront {
   SPHVERIFY_INLINE explicit ToFront(unsigned set)
       : lane_(_mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<__m128i const*>(fronts.lane[set])))) {}
   /// Writes all eight, those of the set first.
-  SPHVERIFY_INLINE void store(__m256i lanes, void* to) const {
-    _mm256_storeu_si256(static_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(lanes, lane_));
-  }
   SPHVERIFY_INLINE void store(Eight from, float* to) const {
-    store(reinterpret_cast<__m256i>(from.lanes), to);
+    store_lanes(reinterpret_cast<__m256i>(from.lanes), to);
   }
   SPHVERIFY_INLINE void store(std::uint32_t const* from, std::uint32_t* to) const {
-    store(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(from)), to);
+    store_lanes(_mm256_loadu_si256(reinterpret_cast<__m256i const*>(from)), to);
   }
 
  private:
+  SPHVERIFY_INLINE void store_lanes(__m256i lanes, void* to) const {
+    _mm256_storeu_si256(static_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(lanes, lane_));
+  }
+
   __m256i lane_;
 #else
   SPHVERIFY_INLINE explicit ToFront(unsigned set) : set_(set) {}

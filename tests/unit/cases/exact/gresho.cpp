@@ -85,7 +85,7 @@ BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(refuses([] { Gresho::central_pressure(2, 1); },
                      "Mach number must be below 1 for a positive pressure, found 1"));
   BOOST_TEST(refuses([] { Gresho(5).pressure(-1); }, "radius must be zero or positive, found -1"));
-  BOOST_CHECK_THROW(Gresho(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+  BOOST_CHECK_THROW(Gresho{std::numeric_limits<double>::quiet_NaN()}, std::invalid_argument);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

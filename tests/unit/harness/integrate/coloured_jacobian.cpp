@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(a_row_that_depends_on_everything_forces_a_colour_per_unknow
 BOOST_AUTO_TEST_CASE(a_nonlinear_rate_is_differenced_anew_at_every_state_and_time) {
   std::size_t const n = 20;
   DependencyPattern const pattern = band(n, 1);
-  auto const rate = [n](double t, double const* y, double* out) {
+  auto const rate = [](double t, double const* y, double* out) {
     for (std::size_t i = 0; i < n; ++i) {
       double const left = i > 0 ? y[i - 1] : 0.0;
       double const right = i + 1 < n ? y[i + 1] : 0.0;

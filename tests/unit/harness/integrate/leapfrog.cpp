@@ -118,7 +118,7 @@ BOOST_AUTO_TEST_CASE(the_amplitude_of_a_coarsely_stepped_oscillator_neither_grow
     double worst = 0.0;
     double largest_before = 0.0, largest_after = 0.0;
     double const kept = 1.0 - 0.25 * step * step;
-    method.system.monitor = [&](double t, double const* y, double const*) -> std::string {
+    method.system.monitor = [&, &start = start](double t, double const* y, double const*) -> std::string {
       double const force = start.size() == 3 ? y[2] : y[0];
       worst = std::max(worst, std::abs(y[1] * y[1] + kept * force * force - kept));
       double& largest = t < 0.5 * final_time ? largest_before : largest_after;

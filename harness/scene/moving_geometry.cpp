@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <stdexcept>
 
@@ -11,6 +12,40 @@
 #include "harness/scene/list_skin.hpp"
 
 namespace sphverify {
+
+namespace {
+
+/// What is solved for at the same place again, as smoothing lengths are, may differ by less.
+constexpr double least_skin = 1e-10;
+
+/// Contacts with each wall, the walls side by side. Of several complaints the first wall's is thrown, at any
+/// number of threads.
+template <int Dim>
+std::vector<WallContacts<Dim>> find_contacts(CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls,
+                                             Particles<Dim> const& particles, FaceWeight rule, int threads) {
+  SmoothingLength const h(particles);
+  std::vector<WallContacts<Dim>> contacts(walls.size());
+  std::vector<std::exception_ptr> complaints(walls.size());
+  for_each_block(
+      walls.size(), threads,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t w = begin; w < end; ++w) {
+          try {
+            contacts[w] = find_wall_contacts(grid, walls[w], walls, h, particles.masses(),
+                                             particles.scalar(Field::density), rule);
+          } catch (...) {
+            complaints[w] = std::current_exception();
+          }
+        }
+      },
+      1);
+  for (std::exception_ptr const& complaint : complaints) {
+    if (complaint) std::rethrow_exception(complaint);
+  }
+  return contacts;
+}
+
+}  // namespace
 
 template <int Dim>
 MovingGeometry<Dim>::MovingGeometry(Domain<Dim> const& domain, Choice const& choice) : choice_(choice) {
@@ -31,19 +66,17 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
   }
   if (!grid_) {
     find_list(particles, 0.0);  // how fast they are is not known yet
-  } else if (double const used = skin_used(particles); !(used <= skin_)) {
-    find_list(particles, cheapest_skin(used / static_cast<double>(uses_), Dim));
+  } else {
+    double const used = skin_used(particles);
+    if (std::abs(used - used_) > least_skin) ++places_;
+    used_ = used;
+    if (used > skin_) find_list(particles, cheapest_skin(used / static_cast<double>(places_), Dim));
   }
-  ++uses_;
   if (sums_density()) set_density(particles, *grid_, all_walls);
   if (walls.empty()) return;
-  SmoothingLength const h(particles);
   geometry_.walls = walls;
-  geometry_.contacts.clear();
-  for (Wall<Dim> const& wall : walls) {
-    geometry_.contacts.push_back(find_wall_contacts(*grid_, wall, walls, h, particles.masses(),
-                                                    particles.scalar(Field::density), choice_.face_weight));
-  }
+  geometry_.contacts =
+      find_contacts(*grid_, geometry_.walls, particles, choice_.face_weight, choice_.threads);
   ++passes_["wall-contacts"];
 }
 
@@ -74,7 +107,7 @@ void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin
   SmoothingLength const h(particles);
   double const support = CubicSpline<Dim>::support_ratio * h.largest();
   // Where a periodic axis is just long enough for the support, there is no room for a skin.
-  double reach = (1.0 + skin) * support;
+  double reach = (1.0 + std::max(skin, least_skin)) * support;
   for (int k = 0; k < Dim; ++k) {
     double const half = 0.5 * geometry_.domain.extent()[k];
     if (geometry_.domain.periodic[k] && reach > half) reach = std::max(support, half);
@@ -92,7 +125,8 @@ void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin
     for (std::size_t i = 0; i < found_with_.size(); ++i) found_with_[i] = h(i);
   }
   found_at_ = particles.positions();
-  uses_ = 0;
+  used_ = 0.0;
+  places_ = 0;
   ++passes_["neighbour-search"];
 }
 
@@ -108,9 +142,8 @@ void MovingGeometry<Dim>::set_density(Particles<Dim>& particles, CellGrid<Dim> c
   }
   ++passes_["density-summation"];
   if (choice_.density != DensityRule::normalised || walls.empty()) return;
-  for (std::size_t i = 0; i < density.size(); ++i) {
-    density[i] /= kernel_inside(particles.positions()[i], walls, h(i));
-  }
+  for_each_row(density.size(), choice_.threads,
+               [&](std::size_t i) { density[i] /= kernel_inside(particles.positions()[i], walls, h(i)); });
   ++passes_["density-normalisation"];
 }
 

@@ -53,7 +53,8 @@ class MovingGeometry {
   VectorField<Dim> found_at_;       ///< places at which the list was found
   std::vector<double> found_with_;  ///< smoothing lengths with which it was; one for all where h is uniform
   double skin_ = 0.0;               ///< of the list, in smoothing lengths
-  std::uint64_t uses_ = 0;          ///< of the list
+  double used_ = 0.0;               ///< of the skin, at the last place
+  std::uint64_t places_ = 0;        ///< to which the particles have moved since it was found
   std::map<std::string_view, std::uint64_t> passes_;
 };
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <variant>
 #include <vector>
@@ -63,15 +65,22 @@ void measure_moving(benchmark::State& state, Needs const& needs, std::size_t sid
   MovingScene<3> scene(make_problem(needs), make_choice(needs, side));
   std::vector<double> const here = scene.initial_state();
   std::vector<double> there = here;
-  // Too far for a list to be kept, and not into a wall.
-  double const shift = 0.15 * scene.particles().smoothing_length();
-  for (std::size_t i = 0; i < scene.particles().size(); ++i) there[i] += shift;
+  // To and fro, and not into a wall: slowly, or too far for a list to be kept.
+  double const movement = (needs.new_list ? 0.15 : 0.01) * scene.particles().smoothing_length();
+  constexpr int evaluations = 10;
+  int const turn = needs.new_list ? 1 : evaluations / 2;
+  std::size_t const coordinates = 3 * scene.particles().size();
   scene.evaluate(0.0, here.data());
-  bool at_home = true;
   time_passes(state, scene.particles().size(), scene.geometry().neighbours.pairs(), [&] {
-    if (needs.new_list) at_home = !at_home;
-    scene.evaluate(0.0, at_home ? here.data() : there.data());
+    for (int n = 1; n <= evaluations; ++n) {
+      int const phase = n % (2 * turn);
+      double const shift = movement * std::min(phase, 2 * turn - phase) / std::sqrt(3.0);
+      for (std::size_t i = 0; i < coordinates; ++i) there[i] = here[i] + shift;
+      scene.evaluate(0.0, there.data());
+    }
   });
+  for (char const* counter : {"ns_per_pair", "wall_ns_per_pair"})
+    state.counters[counter].value /= evaluations;
   count(state, scene.work(), scene.particles().size(), scene.bytes());
 }
 

@@ -1,5 +1,7 @@
 #include "harness/evaluate/evaluate.hpp"
 
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "harness/cli/commands.hpp"
@@ -20,7 +22,12 @@ void add_evaluate(CLI::App& app) {
   sub->callback([command] {
     require_writable(command->output, command->state);
     Json const state = read_json_file(command->state);
-    write_document(command->output, document_text(evaluate_state(Node(state, command->state))));
+    Json const rates = evaluate_state(Node(state, command->state));
+    if (Json const& open = rates.at("open_towards"); !open.is_null()) {
+      fmt::print(stderr, "{}: walls: they do not close: nothing bounds the particles towards {}\n",
+                 command->state, open.dump());
+    }
+    write_document(command->output, document_text(rates));
   });
 }
 

@@ -7,6 +7,7 @@
 #include "formulations/rate_operator.hpp"
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/finite_face.hpp"
+#include "harness/evaluate/enclosure.hpp"
 #include "harness/evaluate/state.hpp"
 
 namespace sphverify {
@@ -107,9 +108,12 @@ Json evaluate_in_dimension(Node const& document) {
       }
     }
   }
+  std::optional<Vector<Dim>> open;
+  if (!state.walls.empty()) open = open_direction(state.walls, state.domain);
   return {{"schema", "sphverify-rates/1"},
           {"density", particles.scalar(Field::density)},
           {"walls", walls},
+          {"open_towards", open ? Json(std::vector<double>(open->begin(), open->end())) : Json()},
           {"rates", rates},
           {"left_out", left_out}};
 }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "formulations/support/cubic_spline.hpp"
+#include "harness/evaluate/enclosure.hpp"
 #include "harness/scene/choices.hpp"
 
 namespace sphverify {
@@ -87,6 +89,31 @@ void read_periodic(Node const& node, Domain<Dim>& domain) {
   }
 }
 
+/// Refuses particles outside their periods, and supports in which a particle would meet two images of
+/// another.
+template <int Dim>
+void require_room(Node const& particles, State<Dim> const& state) {
+  auto const places = particles.at("position").elements();
+  for (int k = 0; k < Dim; ++k) {
+    if (!state.domain.periodic[k]) continue;
+    double const lower = state.domain.lower[k];
+    double const upper = state.domain.upper[k];
+    double const widest = (upper - lower) / (2.0 * CubicSpline<Dim>::support_ratio);
+    if (state.particles.smoothing_length() > widest) {
+      particles.at("smoothing_length")
+          .complain(
+              fmt::format("at most {}: axis {} is periodic, and no shorter than two supports", widest, k));
+    }
+    auto const& x = state.particles.positions().component(k);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (x[i] < lower || x[i] > upper) {
+        throw UserError(places[i].file(), places[i].key(), places[i].json().dump(),
+                        fmt::format("a place within the period of axis {}, {} to {}", k, lower, upper));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 template <int Dim>
@@ -132,7 +159,9 @@ State<Dim> read_state(Node const& document) {
   if (auto const periodic = document.find("periodic")) read_periodic(*periodic, state.domain);
   if (auto const walls = document.find("walls")) {
     for (Node const& wall : walls->elements()) state.walls.push_back(read_wall<Dim>(wall));
+    require_consistent(*walls, state.walls, state.domain);
   }
+  require_room(node, state);
   return state;
 }
 

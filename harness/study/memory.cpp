@@ -1,7 +1,5 @@
 #include "harness/study/memory.hpp"
 
-#include <unistd.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -43,24 +41,20 @@ double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, in
       problem);
 }
 
-double estimated_bytes(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
+double estimated_bytes(CaseKind kind, AnyProblem const& problem, LayoutChoice const& layout, int resolution,
                        double smoothing_ratio) {
   return std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
-        // Indices of neighbours, twice while a list is made; where particles stand still, a conductance
-        // beside each.
-        double const per_pair = 8.0 + (p.gamma > 0.0 ? 0.0 : 8.0);
+        // Indices of neighbours, twice while a list is made. In moving lists a skin is included; on particles
+        // at rest a conductance is beside each index, and a second scene is set up to time the first.
+        double const per_pair = moves(kind) ? 11.0 : (kind == CaseKind::rates ? 8.0 : 24.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
-        double const unknowns = p.gamma > 0.0 ? 2.0 * Dim + 2.0 : 1.0;
-        double const per_particle = 300.0 + 8.0 * 12.0 * unknowns;
+        double const copied = moves(kind) ? 16.0 * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
+        double const per_particle = 300.0 + 8.0 * copied;
         return particle_count(p.domain, layout, resolution) *
                (per_particle + per_pair * neighbours_per_particle<Dim>(smoothing_ratio));
       },
       problem);
-}
-
-double physical_memory() {
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
 }  // namespace sphverify

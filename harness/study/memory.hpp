@@ -1,15 +1,18 @@
 #pragma once
 
+#include "cases/support/case.hpp"
 #include "cases/support/problem.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
 
 /// About how many bytes a run holds at its peak: fields, neighbour list, what the integrator keeps. An
-/// estimate from what is allocated, not measured; meant to refuse what cannot be.
+/// estimate from what is allocated; meant to refuse what cannot be. In 3D at h/dx = 1.2 it is within 1% of
+/// the peak that was measured (docs/decisions/0006-sweeps-from-positions.md); two-pass forms on particles at
+/// rest take less.
 /// @param smoothing_ratio h/dx at this resolution
 /// Throws std::invalid_argument for a layout that the problem's dimension does not have.
-double estimated_bytes(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
+double estimated_bytes(CaseKind kind, AnyProblem const& problem, LayoutChoice const& layout, int resolution,
                        double smoothing_ratio);
 
 /// Why the problem's dimension does not have a layout; empty if it does.
@@ -22,8 +25,5 @@ double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout
 /// @param smoothing_ratio h/dx at this resolution
 double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
                        double smoothing_ratio);
-
-/// Memory of this machine, in bytes.
-double physical_memory();
 
 }  // namespace sphverify

@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
 
 #include "formulations/support/fork_join.hpp"
 #include "harness/measure/series.hpp"
+#include "harness/study/available_memory.hpp"
 #include "harness/study/context.hpp"
 #include "harness/study/expand.hpp"
 #include "harness/study/journal.hpp"
@@ -28,10 +30,10 @@ int jobs_that_fit(Expansion const& expansion) {
   double largest = 0.0;
   for (RunSpec const& run : expansion.runs) {
     largest =
-        std::max(largest, estimated_bytes(run.scene_case->problem(run.parameters), run.discretisation.layout,
-                                          run.resolution, run.smoothing_ratio));
+        std::max(largest, estimated_bytes(run.scene_case->info.kind, run.scene_case->problem(run.parameters),
+                                          run.discretisation.layout, run.resolution, run.smoothing_ratio));
   }
-  double const jobs = physical_memory() / std::max(largest, 1.0);
+  double const jobs = available_memory() / std::max(largest, 1.0);
   return jobs < 1e6 ? std::max(1, static_cast<int>(jobs)) : 1'000'000;
 }
 
@@ -44,6 +46,17 @@ int jobs_at_a_time(Study const& study, int asked) {
                asked, cores, most, study.threads, most);
   }
   return asked == 0 ? most : std::min(asked, most);
+}
+
+/// Says why runs were refused, each reason once: it is the input that was wrong, not a formulation.
+void say_invalid(std::vector<RunRecord> const& runs) {
+  std::map<std::string, std::size_t> reasons;
+  for (RunRecord const& run : runs) {
+    if (run.status == "invalid") ++reasons[run.reason];
+  }
+  for (auto const& [reason, count] : reasons) {
+    fmt::print(stderr, "invalid: {} of {} runs: {}\n", count, runs.size(), reason);
+  }
 }
 
 /// What the progress of a study starts from.
@@ -153,6 +166,7 @@ void run_study(Study const& study, StudyOptions const& options) {
   if (!study.envelope) results.series = build_series(results.runs);
   write_document(options.output, document_text(to_json(results)));
   if (journal) journal->remove();
+  say_invalid(results.runs);
   if (units == 0)
     fmt::print(stderr, "nothing ran: every combination of {} is skipped, for the reasons above\n",
                study.name);

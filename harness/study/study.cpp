@@ -9,6 +9,7 @@
 
 #include "formulations/rate_operator.hpp"
 #include "harness/scene/choices.hpp"
+#include "harness/study/available_memory.hpp"
 #include "harness/study/memory.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/listed_identifiers.hpp"
@@ -211,7 +212,7 @@ std::vector<std::string> defaults(std::vector<StudyCase> const& cases, std::stri
 
 /// Refuses what cannot fit into memory before hours are spent on the runs before it.
 void require_memory(Study const& study, Node const& document) {
-  double const memory = physical_memory();
+  double const memory = available_memory();
   int const finest = study.resolutions.back();
   double const refinement = static_cast<double>(finest) / study.resolutions.front();
   double ratio = 0.0;
@@ -227,13 +228,13 @@ void require_memory(Study const& study, Node const& document) {
     AnyProblem const problem = one.scene_case->problem(one.parameters);
     for (LayoutChoice const& layout : study.layouts) {
       if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
-      double const bytes = estimated_bytes(problem, layout, finest, ratio);
+      double const bytes = estimated_bytes(one.scene_case->info.kind, problem, layout, finest, ratio);
       if (bytes <= memory) continue;
       throw UserError(
           document.file(), "resolution",
           fmt::format("{}, which on {} is {:.3g} particles and takes about {:.3g} GB", finest,
                       one.scene_case->info.id, estimated_particles(problem, layout, finest), 1e-9 * bytes),
-          fmt::format("what fits into this machine's {:.3g} GB", 1e-9 * memory));
+          fmt::format("what fits into the {:.3g} GB that this process may have", 1e-9 * memory));
     }
   }
 }

@@ -9,10 +9,13 @@ import copy
 import json
 import os
 import random
+import resource
+import subprocess
 import time
 import unittest
 
 from program import (
+    PROGRAM,
     PROGRAM_ERROR,
     SECONDS_FOR_AN_ANSWER,
     SOURCE_DIR,
@@ -108,6 +111,14 @@ class Studies(BadInput):
         self.refuse_study(cube, "resolution: found 100000, which on conduction/cube is 1e+15 particles", "GB, expected")
         growing = small_study(cases=["conduction/cube"], resolution=[10, 300], smoothing_exponent=[1])
         self.refuse_study(growing, "resolution: found 300", "2.7e+07 particles", "GB")
+
+    def test_what_does_not_fit_into_the_memory_that_the_process_may_have_is_refused(self):
+        path = self.write("cube.json", small_study(cases=["conduction/cube"], resolution=[100]))
+        limit = 600_000_000
+        result = subprocess.run(
+            [PROGRAM, "study", path], capture_output=True, text=True, timeout=60,
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit)))  # fmt: skip
+        self.assert_user_error(result, path, "resolution: found 100", "1e+06 particles", "the 0.6 GB that this process may have")
 
     def test_a_glass_needs_its_seed_and_nothing_else(self):
         self.refuse_study(small_study(discretisation={"layout": "glass"}), "discretisation.layout", "seed")
@@ -373,6 +384,30 @@ class States(BadInput):
             with self.subTest(x=x):
                 self.particles["position"][particle] = [x]
                 self.refuse_this("particles.position", f"particle {particle} ", "wall")
+
+    def test_a_particle_outside_its_period_is_refused_by_number(self):
+        self.state["walls"] = []
+        self.state["periodic"] = [[0, 1]]
+        for x in (-0.01, 1.01, 1.5, 7.3):
+            with self.subTest(x=x):
+                self.state["walls"] = []
+                self.state["periodic"] = [[0, 1]]
+                self.particles["position"][5] = [x]
+                self.refuse_this("particles.position[5]", f"found [{x}]", "axis 0, 0 to 1")
+
+    def test_a_support_in_which_particles_meet_twice_is_refused(self):
+        self.state["walls"] = []
+        self.state["periodic"] = [[0, 1]]
+        self.particles["smoothing_length"] = 0.26
+        self.refuse_this("particles.smoothing_length: found 0.26", "at most 0.25", "axis 0")
+
+    def test_a_wall_across_a_periodic_axis_is_refused(self):
+        self.state["periodic"] = [[0, 1]]
+        self.refuse_this("walls[0].outward_normal", "axis 0", "periodic")
+
+    def test_two_walls_on_one_side_are_refused(self):
+        self.walls.append(dict(self.walls[0], point=[-0.5]))
+        self.refuse_this("walls[2].outward_normal: found [-1.0]", "another side than that of walls[0]")
 
     def test_no_particles_are_refused(self):
         for key, value in self.particles.items():

@@ -90,6 +90,17 @@ class InputAndOutput(ProgramTest):
         self.assertEqual(set(rates) | set(document["left_out"]), set(strict_json(self.expected)["rates"]))
         self.assertTrue(all(scheme.startswith("conduction/") for scheme in rates), list(rates))
 
+    def test_walls_that_do_not_close_are_said_and_where(self):
+        self.assertIsNone(strict_json(self.expected)["open_towards"])
+        del self.state["walls"][1]
+        path = self.write("open.json", self.state)
+        result = self.run_program("evaluate", path)
+        self.assertEqual(result.returncode, 0)
+        self.assertEqual(strict_json(result.stdout)["open_towards"], [1.0])
+        self.assert_valid("sphverify-rates-1", strict_json(result.stdout))
+        line = f"{path}: walls: they do not close: nothing bounds the particles towards [1.0]\n"
+        self.assertEqual(result.stderr, line)
+
     def test_every_scheme_has_its_control_without_walls(self):
         rates = strict_json(self.expected)["rates"]
         schemes = {scheme for scheme in rates if not scheme.endswith("-no-walls")}

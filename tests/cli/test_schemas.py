@@ -229,8 +229,13 @@ class RealDocuments(ProgramTest):
         results = self.check_results(small_study(time_budget=1e-9))
         self.assertEqual({run["status"] for run in results["runs"]}, {"timed-out"})
         plane = {"id": "conduction/manufactured", "parameters": {"dimension": 2}}
-        results = self.check_results(small_study(cases=[plane], resolution=[1, 2]))
+        senseless = small_study(cases=[plane], resolution=[1, 2])
+        results = self.check_results(senseless)
         self.assertEqual({run["status"] for run in results["runs"]}, {"invalid"})
+        said = self.run_program("study", self.write("senseless.json", senseless), "-o", self.folder / "senseless.out").stderr
+        for reason in {run["reason"] for run in results["runs"]}:
+            count = sum(run["reason"] == reason for run in results["runs"])
+            self.assertIn(f"invalid: {count} of {len(results['runs'])} runs: {reason}\n", said)
 
     def test_rates_that_overflow_are_null_and_their_run_not_ok(self):
         overflow = {"id": "operator/sine", "parameters": {"offset": 1e308}}

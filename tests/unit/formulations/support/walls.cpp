@@ -63,6 +63,23 @@ BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_wall_is_too_large_by_8_3_in_2d
   BOOST_TEST(ratio(std::integral_constant<int, 3>{}) == 40.0 / 7.0, tolerance(1e-14));
 }
 
+// The numbers per h/dx that docs/findings.md prints, for the first particle of a lattice.
+BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_first_particle_is_too_large_by_what_the_findings_say) {
+  struct Printed {
+    double smoothing_ratio, in_2d, in_3d;
+  };
+  for (Printed const& p : {Printed{1.0, 2.616, 5.53}, Printed{1.2, 2.626, 5.57}, Printed{1.5, 2.636, 5.61},
+                           Printed{2.0, 2.646, 5.65}}) {
+    auto const ratio = [&](auto dim) {
+      constexpr int Dim = decltype(dim)::value;
+      return face_weight<Dim>(0.5, p.smoothing_ratio, FaceWeight::campbell) /
+             face_weight<Dim>(0.5, p.smoothing_ratio, FaceWeight::exact);
+    };
+    BOOST_TEST(std::abs(ratio(std::integral_constant<int, 2>{}) - p.in_2d) < 0.0005);
+    BOOST_TEST(std::abs(ratio(std::integral_constant<int, 3>{}) - p.in_3d) < 0.005);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(
     campbells_face_weight_at_the_edge_of_the_support_is_too_large_by_35_16_in_2d_and_4_in_3d) {
   auto const ratio = [](auto dim) {

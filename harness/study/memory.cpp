@@ -50,7 +50,7 @@ double estimated_bytes(CaseKind kind, AnyProblem const& problem, LayoutChoice co
         double const per_pair = moves(kind) ? 11.0 : (kind == CaseKind::rates ? 8.0 : 24.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
         double const copied = moves(kind) ? 16.0 * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
-        double const per_particle = 300.0 + 8.0 * copied;
+        double const per_particle = 350.0 + 8.0 * copied;
         return particle_count(p.domain, layout, resolution) *
                (per_particle + per_pair * neighbours_per_particle<Dim>(smoothing_ratio));
       },

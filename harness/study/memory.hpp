@@ -7,7 +7,7 @@
 namespace sphverify {
 
 /// About how many bytes a run holds at its peak: fields, neighbour list, what the integrator keeps. An
-/// estimate from what is allocated; meant to refuse what cannot be. In 3D at h/dx = 1.2 it is within 1% of
+/// estimate from what is allocated; meant to refuse what cannot be. In 3D at h/dx = 1.2 it is within 5% of
 /// the peak that was measured (docs/decisions/0006-sweeps-from-positions.md); two-pass forms on particles at
 /// rest take less.
 /// @param smoothing_ratio h/dx at this resolution

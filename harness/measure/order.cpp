@@ -15,12 +15,12 @@ std::string_view const verdict_rules =
 interval   95%, Student's t on the fit's residuals; with several seeds also from their spread: the
            wider one is given. Two levels give an order without an interval.
 left out   levels whose error is at the run's `round_off`: they say nothing of the order
-not-refined    fewer than three spacings, or an error that does not change at all (below 1 part
-               in 1e6)
+not-refined    fewer than three spacings, a finest level that ran out of time, or an error that does
+               not change at all (below 1 part in 1e6)
 asymptotic     the interval excludes 0, the last two pairwise orders agree within 0.3, and the
                last is at least 0.8 of their mean (it fades on the way to a floor); with orders
                of 0.1 to 0.25: pre-asymptotic
-diverging      a run of the finest level failed, or the last step raised the error (pairwise
+diverging      a run of the finest level broke, or the last step raised the error (pairwise
                order < -0.25) in a ladder whose fitted order is not positive
 floored        the last step changed the error little (pairwise order between -0.25 and 0.25)
                after steps that changed it as little or, one by one, less and less; or the error
@@ -123,8 +123,10 @@ void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& poi
     observed.verdict = verdict;
     observed.reason = reason;
   };
-  if (!levels.empty() && levels.back().errors.empty())
+  if (!levels.empty() && levels.back().errors.empty()) {
+    if (levels.back().out_of_time) return say("not-refined", "the finest level ran out of time");
     return say("diverging", "the finest level has no error");
+  }
   if (levels.size() < 3) return say("not-refined", "fewer than three spacings");
   bool const ends_at_round_off = mean(levels.back().errors) <= levels.back().round_off;
   if (ends_at_round_off) return say("floored", "the error reached round-off");

@@ -14,6 +14,8 @@ struct LadderLevel {
   double spacing;              ///< [any unit]
   std::vector<double> errors;  ///< absolute; empty if no run of this level ended well
   double round_off;            ///< error that rounding alone explains, in the same unit
+  bool out_of_time =
+      false;  ///< it has none since its runs did not get the time, whatever they were about to do
 };
 
 /// Observed order of convergence with its 95% interval, and the verdict on the ladder.

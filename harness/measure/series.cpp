@@ -86,15 +86,20 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
   std::vector<LadderLevel> ladder;
   for (auto const& level : levels) {
     LadderLevel step{level.front()->spacing, {}, 0.0};
+    std::vector<std::string> failures;
     for (RunRecord const* run : level) {
       RegionError const* error = find_error(*run, field, region);
       if (run->status != "ok" || error == nullptr) {
-        step.errors.clear();
-        break;
+        failures.push_back(run->status);
+        continue;
       }
       step.errors.push_back(error->error.*norm.norm);
       step.round_off = std::max(step.round_off, error->round_off);
     }
+    if (!failures.empty()) step.errors.clear();
+    step.out_of_time =
+        !failures.empty() && std::all_of(failures.begin(), failures.end(),
+                                         [](auto const& status) { return status == "timed-out"; });
     Number mean;
     if (!step.errors.empty()) {
       mean = std::accumulate(step.errors.begin(), step.errors.end(), 0.0) /

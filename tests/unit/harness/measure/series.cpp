@@ -112,7 +112,24 @@ BOOST_AUTO_TEST_CASE(a_level_of_which_a_replicate_failed_has_no_error) {
 
 BOOST_AUTO_TEST_CASE(errors_of_a_run_that_did_not_end_well_do_not_count) {
   std::vector<RunRecord> runs{run_at(25, 1.0), run_at(50, 0.5), run_at(100, 0.25)};
+  runs.back().status = "unstable";
+  BOOST_TEST(find(build_series(runs)[0], "l2")->observed.verdict == "diverging");
+}
+
+// That we had no more time for it says nothing of the formulation.
+BOOST_AUTO_TEST_CASE(a_finest_level_that_ran_out_of_time_is_not_refined_unless_one_of_it_broke) {
+  std::vector<RunRecord> runs;
+  for (int const n : {25, 50, 100}) {
+    for (std::uint64_t seed = 1; seed <= 3; ++seed) runs.push_back(seeded(run_at(n, 1.0 / n), seed));
+  }
   runs.back().status = "timed-out";
+  runs.back().errors.clear();
+  OrderEntry const entry = *find(build_series(runs)[0], "l2");
+  BOOST_TEST(entry.observed.verdict == "not-refined");
+  BOOST_TEST(entry.observed.reason == "the finest level ran out of time");
+  BOOST_TEST(!entry.levels[2].error.has_value());
+  runs[6].status = "unstable";
+  runs[6].errors.clear();
   BOOST_TEST(find(build_series(runs)[0], "l2")->observed.verdict == "diverging");
 }
 

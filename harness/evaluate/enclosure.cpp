@@ -9,7 +9,7 @@ namespace sphverify {
 
 namespace {
 
-constexpr double round_off = 1e-9;  // of components of unit vectors
+constexpr double round_off = 1e-6;  // of components of unit vectors, which may come from single precision
 
 /// Refuses a list with what is in it.
 [[noreturn]] void refuse(Node const& node, std::string const& expected) {
@@ -54,8 +54,9 @@ std::optional<Vector<Dim>> open_direction(std::vector<Wall<Dim>> const& walls, D
   for (Vector<Dim> const& along : orthogonal(normals)) {
     if (along.norm() < round_off) continue;
     Vector<Dim> const u = along.normalized();
-    if (is_open(u)) return u;
-    if (is_open(-u)) return -u;
+    // Adding zero takes the sign from zeros.
+    if (is_open(u)) return u + Vector<Dim>::Zero();
+    if (is_open(-u)) return -u + Vector<Dim>::Zero();
   }
   return std::nullopt;
 }

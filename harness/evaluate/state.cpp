@@ -104,9 +104,11 @@ void require_room(Node const& particles, State<Dim> const& state) {
           .complain(
               fmt::format("at most {}: axis {} is periodic, and no shorter than two supports", widest, k));
     }
+    // What wraps by adding a period, or writes fewer digits, may end just beyond its end.
+    double const rounding = 1e-9 * (upper - lower);
     auto const& x = state.particles.positions().component(k);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (x[i] < lower || x[i] > upper) {
+      if (x[i] < lower - rounding || x[i] > upper + rounding) {
         throw UserError(places[i].file(), places[i].key(), places[i].json().dump(),
                         fmt::format("a place within the period of axis {}, {} to {}", k, lower, upper));
       }

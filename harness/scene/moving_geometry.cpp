@@ -68,8 +68,10 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
     find_list(particles, 0.0);  // how fast they are is not known yet
   } else {
     double const used = skin_used(particles);
-    if (std::abs(used - used_) > least_skin) ++places_;
-    used_ = used;
+    if (std::abs(used - used_) > least_skin) {
+      ++places_;
+      used_ = used;
+    }
     if (used > skin_) find_list(particles, cheapest_skin(used / static_cast<double>(places_), Dim));
   }
   if (sums_density()) set_density(particles, *grid_, all_walls);

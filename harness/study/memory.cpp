@@ -41,15 +41,18 @@ double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, in
       problem);
 }
 
-double estimated_bytes(CaseKind kind, AnyProblem const& problem, LayoutChoice const& layout, int resolution,
-                       double smoothing_ratio) {
+double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem const& problem,
+                       LayoutChoice const& layout, int resolution, double smoothing_ratio) {
   return std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
-        // Indices of neighbours, twice while a list is made. In moving lists a skin is included; on particles
-        // at rest a conductance is beside each index, and a second scene is set up to time the first.
+        // Indices of neighbours, twice while a list is made. In moving lists a skin is included; where
+        // conduction is integrated a conductance is beside each index, and a second scene is set up to time
+        // the first.
         double const per_pair = moves(kind) ? 11.0 : (kind == CaseKind::rates ? 8.0 : 24.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
-        double const copied = moves(kind) ? 16.0 * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
+        double const copies = integrator == "leapfrog" ? 3.0 : 16.0;
+        double const copied =
+            moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
         double const per_particle = 350.0 + 8.0 * copied;
         return particle_count(p.domain, layout, resolution) *
                (per_particle + per_pair * neighbours_per_particle<Dim>(smoothing_ratio));

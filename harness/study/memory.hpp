@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "cases/support/case.hpp"
 #include "cases/support/problem.hpp"
 #include "reports/results.hpp"
@@ -10,10 +12,11 @@ namespace sphverify {
 /// estimate from what is allocated; meant to refuse what cannot be. In 3D at h/dx = 1.2 it is within 5% of
 /// the peak that was measured (docs/decisions/0006-sweeps-from-positions.md); two-pass forms on particles at
 /// rest take less.
+/// @param integrator of a moving gas; leapfrog keeps fewest copies
 /// @param smoothing_ratio h/dx at this resolution
 /// Throws std::invalid_argument for a layout that the problem's dimension does not have.
-double estimated_bytes(CaseKind kind, AnyProblem const& problem, LayoutChoice const& layout, int resolution,
-                       double smoothing_ratio);
+double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem const& problem,
+                       LayoutChoice const& layout, int resolution, double smoothing_ratio);
 
 /// Why the problem's dimension does not have a layout; empty if it does.
 std::string why_not(AnyProblem const& problem, LayoutChoice const& layout);

@@ -30,8 +30,9 @@ int jobs_that_fit(Expansion const& expansion) {
   double largest = 0.0;
   for (RunSpec const& run : expansion.runs) {
     largest =
-        std::max(largest, estimated_bytes(run.scene_case->info.kind, run.scene_case->problem(run.parameters),
-                                          run.discretisation.layout, run.resolution, run.smoothing_ratio));
+        std::max(largest, estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator,
+                                          run.scene_case->problem(run.parameters), run.discretisation.layout,
+                                          run.resolution, run.smoothing_ratio));
   }
   double const jobs = available_memory() / std::max(largest, 1.0);
   return jobs < 1e6 ? std::max(1, static_cast<int>(jobs)) : 1'000'000;
@@ -54,7 +55,13 @@ void say_invalid(std::vector<RunRecord> const& runs) {
   for (RunRecord const& run : runs) {
     if (run.status == "invalid") ++reasons[run.reason];
   }
+  constexpr std::size_t most = 10;
+  std::size_t said = 0;
   for (auto const& [reason, count] : reasons) {
+    if (++said > most) {
+      fmt::print(stderr, "invalid: and {} more reasons\n", reasons.size() - most);
+      break;
+    }
     fmt::print(stderr, "invalid: {} of {} runs: {}\n", count, runs.size(), reason);
   }
 }

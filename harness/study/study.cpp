@@ -226,9 +226,16 @@ void require_memory(Study const& study, Node const& document) {
   }
   for (StudyCase const& one : study.cases) {
     AnyProblem const problem = one.scene_case->problem(one.parameters);
+    // What takes least of those that are asked for: the others may be skipped.
+    auto const asks = [&](char const* word) {
+      return std::find(study.integrators.begin(), study.integrators.end(), word) != study.integrators.end();
+    };
+    bool const leapfrog = asks("leapfrog") || (asks("auto") && one.scene_case->info.discontinuous);
+    char const* const integrator = leapfrog ? "leapfrog" : "runge-kutta";
     for (LayoutChoice const& layout : study.layouts) {
       if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
-      double const bytes = estimated_bytes(one.scene_case->info.kind, problem, layout, finest, ratio);
+      double const bytes =
+          estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, ratio);
       if (bytes <= memory) continue;
       throw UserError(
           document.file(), "resolution",

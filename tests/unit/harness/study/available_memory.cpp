@@ -54,6 +54,8 @@ BOOST_AUTO_TEST_CASE(first_version_of_control_groups_is_read_by_its_controller) 
   BOOST_TEST(root.limit() == 3e9);
 }
 
+// The address and thread sanitizers hold more address space than any limit.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 BOOST_AUTO_TEST_CASE(limit_of_the_process_counts) {
   double const before = available_memory();
   rlimit old{};
@@ -61,9 +63,13 @@ BOOST_AUTO_TEST_CASE(limit_of_the_process_counts) {
   rlimit low = old;
   low.rlim_cur = static_cast<rlim_t>(0.5 * before);
   BOOST_TEST_REQUIRE(setrlimit(RLIMIT_AS, &low) == 0);
+  rlimit now{};
+  BOOST_TEST_REQUIRE(getrlimit(RLIMIT_AS, &now) == 0);
+  if (now.rlim_cur != low.rlim_cur) return;  // an emulator that takes limits and ignores them
   BOOST_TEST(available_memory() == static_cast<double>(low.rlim_cur));
   BOOST_TEST_REQUIRE(setrlimit(RLIMIT_AS, &old) == 0);
   BOOST_TEST(available_memory() == before);
 }
+#endif
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -11,9 +11,9 @@ namespace sphverify {
 /// @param movement u, from place to place, in smoothing lengths; 0 or more; what is not finite gives 0
 double cheapest_skin(double movement, int dimension);
 
-/// A list over all sweeps of one place. Those of a gas in 3D take 0.3 to 1
-/// (docs/decisions/0006-sweeps-from-positions.md). The least is flat; and it may not depend on the clock,
-/// since skins decide in which order pairs are summed.
+/// A list over all sweeps of one place, about: a list takes as long as one sweep of forces
+/// (docs/decisions/0006-sweeps-from-positions.md), and a place has one or two of those and others. The least is
+/// flat; and it may not depend on the clock, since skins decide in which order pairs are summed.
 inline constexpr double list_cost = 2.0 / 3.0;
 
 }  // namespace sphverify

@@ -24,7 +24,7 @@ struct OdeSystem {
   std::function<void(double t, double const* y, double* dydt)> rate;
   std::function<void(double t, double const* y, double* dqdt)> quadrature;
 
-  /// Below it an explicit adaptive method gives up; 0: it goes on as long as it can.
+  /// An explicit adaptive method gives up where its steps stay below it; 0: it goes on as long as it can.
   double smallest_step = 0.0;
 
   /// Sizes of typical unknowns and then quadratures, which multiply the absolute tolerance; empty: all 1.

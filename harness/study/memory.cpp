@@ -1,5 +1,6 @@
 #include "harness/study/memory.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,19 @@ double neighbours_per_particle(double smoothing_ratio) {
   if (Dim == 1) return 2.0 * support;
   if (Dim == 2) return std::numbers::pi * support * support;
   return 4.0 / 3.0 * std::numbers::pi * support * support * support;
+}
+
+/// Particles are 1/resolution of the first axis apart.
+template <int Dim>
+double contacts_per_particle(Problem<Dim> const& problem, int resolution, double smoothing_ratio) {
+  Vector<Dim> const extent = problem.domain.extent();
+  double const support = 2.0 * smoothing_ratio * extent[0] / resolution;
+  double sum = 0.0;
+  for (int axis = 0; axis < Dim; ++axis) {
+    if (!problem.domain.periodic[static_cast<std::size_t>(axis)])
+      sum += std::min(1.0, support / extent[axis]);
+  }
+  return problem.walls.empty() ? 0.0 : 2.0 * sum;
 }
 
 }  // namespace
@@ -48,14 +62,17 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
         // Indices of neighbours, twice while a list is made. In moving lists a skin is included; where
         // conduction is integrated a conductance is beside each index, and a second scene is set up to time
         // the first.
-        double const per_pair = moves(kind) ? 11.0 : (kind == CaseKind::rates ? 8.0 : 24.0);
+        double const per_pair = moves(kind) ? 14.5 : (kind == CaseKind::rates ? 8.0 : 24.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
-        double const copies = integrator == "leapfrog" ? 3.0 : 16.0;
+        double const copies = integrator == "leapfrog" ? 5.0 : 21.0;
         double const copied =
             moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
         double const per_particle = 350.0 + 8.0 * copied;
+        // Whom a wall's foot point interpolates from, twice while it is found anew.
+        double const per_contact = moves(kind) ? 1800.0 : 480.0;
         return particle_count(p.domain, layout, resolution) *
-               (per_particle + per_pair * neighbours_per_particle<Dim>(smoothing_ratio));
+               (per_particle + per_pair * neighbours_per_particle<Dim>(smoothing_ratio) +
+                per_contact * contacts_per_particle(p, resolution, smoothing_ratio));
       },
       problem);
 }

@@ -9,9 +9,9 @@
 namespace sphverify {
 
 /// About how many bytes a run holds at its peak: fields, neighbour list, what the integrator keeps. An
-/// estimate from what is allocated; meant to refuse what cannot be. In 3D at h/dx = 1.2 it is within 5% of
-/// the peak that was measured (docs/decisions/0006-sweeps-from-positions.md); two-pass forms on particles at
-/// rest take less.
+/// estimate from what is allocated; meant to refuse what cannot be. A test holds it to within 30% of the
+/// peaks of runs in 2D and 3D at h/dx = 1.2 (tests/cli/test_memory.py); two-pass forms on particles at rest
+/// take less.
 /// @param integrator of a moving gas; leapfrog keeps fewest copies
 /// @param smoothing_ratio h/dx at this resolution
 /// Throws std::invalid_argument for a layout that the problem's dimension does not have.

@@ -1,5 +1,6 @@
 #include "harness/integrate/ode.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <stdexcept>
@@ -230,6 +231,36 @@ BOOST_AUTO_TEST_CASE(a_solution_that_blows_up_ends_as_a_failure_with_a_reason) {
     BOOST_TEST(!result.reason.empty());
     BOOST_TEST(result.time < 2.0);
   }
+}
+
+/// From 0 it is 1e4 (t - 0.3) once t > 0.3: particles that come into a wall's reach feel such jumps.
+void jumping(double t, double const*, double* out) { out[0] = t < 0.3 ? 0.0 : 1e4; }
+
+BOOST_AUTO_TEST_CASE(a_rate_that_jumps_is_passed_however_short_the_step) {
+  OdeSystem system = with_rate(jumping);
+  system.smallest_step = 1e-4;
+  system.monitor = [before = 0.0, shortest = 1.0](double t, double const*, double const*) mutable {
+    shortest = std::min(shortest, t - before);
+    before = t;
+    return t < 1.0 || shortest < 1e-6 ? "" : "no step was short: the test shows nothing";
+  };
+  OdeResult const result = integrate(Method::runge_kutta, system, {0.0}, 1.0, 1e-7);
+  BOOST_TEST(result.reason == "");
+  BOOST_TEST((result.outcome == OdeOutcome::finished));
+  BOOST_TEST(result.y[0] == 7e3, tolerance(1e-5));
+  BOOST_TEST(result.steps < 100u);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_that_stays_below_the_smallest_has_collapsed) {
+  OdeSystem system = with_rate([](double, double const* y, double* out) { out[0] = -1e6 * y[0]; });
+  OdeResult result = integrate(Method::runge_kutta, system, {1.0}, 0.01, 1e-6);
+  BOOST_TEST((result.outcome == OdeOutcome::finished));
+  BOOST_TEST(result.steps > 1000u);
+  system.smallest_step = 9e-6;
+  result = integrate(Method::runge_kutta, system, {1.0}, 0.01, 1e-6);
+  BOOST_TEST((result.outcome == OdeOutcome::failed));
+  BOOST_TEST(result.reason.find("collapsed") != std::string::npos);
+  BOOST_TEST(result.steps < 200u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,5 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
+#include "formulations/support/cubic_spline.hpp"
 #include "tests/support/random_particles.hpp"
 
 BOOST_AUTO_TEST_SUITE(scheme_walls)
@@ -169,6 +170,40 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(hot_wall_heats_and_high_pressure_pushes_inwards, D
       BOOST_TEST(driven.wall_force[0].dot(normal) < neutral.wall_force[0].dot(normal), scheme->id);
     } else {
       BOOST_TEST(driven.wall_power[0] > neutral.wall_power[0], scheme->id);
+    }
+  }
+}
+
+/// A wall's terms are along its normal: what the missing half of the kernel takes from a gradient along the
+/// wall they do not give back.
+BOOST_AUTO_TEST_CASE_TEMPLATE(along_a_wall_a_gradient_is_felt_by_the_part_of_the_kernel_inside, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  if constexpr (Dim > 1) {
+    constexpr double spacing = 0.1;
+    constexpr double ratio = 2.4;
+    constexpr double slope = 1e-4;  // so small that the root of pressure is linear too
+    int const side = 2 * static_cast<int>(std::ceil(2.0 * ratio)) + 2;
+    Scene<Dim> scene = lattice_scene<Dim>(side, spacing, ratio);
+    Particles<Dim>& p = scene.particles;
+    Wall<Dim> wall;
+    wall.point = scene.domain.lower;
+    wall.outward_normal = -Vector<Dim>::Unit(0);
+    wall.pressure = [](Vector<Dim> const& x, double) { return 0.9 + slope * x[1]; };
+    scene.walls = {wall};
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p.scalar(Field::pressure)[i] = 0.9 + slope * p.positions()[i][1];
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->rate != Rate::acceleration) continue;
+      Rates<Dim> const rates = evaluate(scene, scheme->id);
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        Vector<Dim> const across = p.positions()[i] - p.positions()[i][0] * Vector<Dim>::Unit(0);
+        if (across.template lpNorm<Eigen::Infinity>() > 0.6 * spacing) continue;  // the middle sees no edge
+        double const d = wall.distance(p.positions()[i]);
+        if (d > 0.5 * spacing * side) continue;
+        double const inside = CubicSpline<Dim>::inner_fraction(d, ratio * spacing);
+        BOOST_TEST(rates.acceleration[i][1] == -slope * inside, boost::test_tools::tolerance(0.02));
+      }
     }
   }
 }

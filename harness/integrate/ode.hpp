@@ -11,7 +11,7 @@
 namespace sphverify {
 
 /// A rate met a state in which it makes no sense. An adaptive integrator may have come there by too long a
-/// step: it tries a shorter one, and hands this on only when it gives up.
+/// step: an implicit one tries a shorter one first, of the explicit one a tighter tolerance has to be asked.
 class RateFailure : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -24,7 +24,7 @@ struct OdeSystem {
   std::function<void(double t, double const* y, double* dydt)> rate;
   std::function<void(double t, double const* y, double* dqdt)> quadrature;
 
-  /// An explicit adaptive method gives up where its steps stay below it; 0: it goes on as long as it can.
+  /// An explicit adaptive method gives up where a thousand steps are below it on average; 0: it goes on.
   double smallest_step = 0.0;
 
   /// Sizes of typical unknowns and then quadratures, which multiply the absolute tolerance; empty: all 1.

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t most_steps = 2'000'000;
 /// A step that is this part of the run would never end it.
 constexpr double collapsed = 1e-9;
-/// Nor is a smooth flow followed by steps this part of what sound allows.
+/// Nor does a smooth flow need steps that are on average this part of what its limits allow.
 constexpr double unresolved = 1e-3;
 
 /// Writes and reads the parts of a budget in one order.
@@ -97,14 +97,19 @@ GasBudgets<Dim> MovingGas<Dim>::budgets(double const* q) const {
 }
 
 template <int Dim>
-double MovingGas<Dim>::step_limit() {
-  auto const limits = scene_.step_limits();
-  auto const bound = std::min_element(limits.begin(), limits.end(),
-                                      [](StepLimit const& a, StepLimit const& b) { return a.step < b.step; });
+StepLimit MovingGas<Dim>::tightest_limit() const {
+  auto limits = scene_.step_limits();
   // A cold gas at rest has no limit of its own: the run takes a hundred steps at least.
-  double const longest = 0.01 * scene_.problem().final_time;
-  double const step = courant_factor_ * std::min(bound->step, longest);
-  ++steps_bound_by_[std::string(bound->step < longest ? bound->name : "duration")];
+  limits.push_back({"duration", 0.01 * scene_.problem().final_time});
+  return *std::min_element(limits.begin(), limits.end(),
+                           [](StepLimit const& a, StepLimit const& b) { return a.step < b.step; });
+}
+
+template <int Dim>
+double MovingGas<Dim>::leapfrog_step() {
+  StepLimit const bound = tightest_limit();
+  double const step = courant_factor_ * bound.step;
+  ++steps_bound_by_[std::string(bound.name)];
   smallest_step_ = smallest_step_ == 0.0 ? step : std::min(smallest_step_, step);
   largest_step_ = std::max(largest_step_, step);
   return step;
@@ -139,12 +144,12 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
                                   scene_.evaluate(t, y, velocities);
                                   scene_.rates(dydt);
                                 },
-                            .largest_step = [this](double) { return step_limit(); },
+                            .largest_step = [this](double) { return leapfrog_step(); },
                             .smallest_step = collapsed * final_time,
                             .most_steps = most_steps});
   } else {
     scene_.evaluate(0.0, initial.data());
-    system.smallest_step = unresolved * scene_.step_limits().front().step;
+    system.smallest_step = unresolved * tightest_limit().step;
     system.scales = scene_.scales();
     // Budgets add up what the whole gas exchanges; a tolerance in proportion to it does not rule the step.
     system.scales.resize(system.size + system.quadratures, std::numeric_limits<double>::max() * 1e-20);

@@ -47,7 +47,8 @@ class MovingGas {
   std::size_t impulses() const;
   std::size_t quadratures() const;
   void quadrature(double* out) const;
-  double step_limit();
+  StepLimit tightest_limit() const;
+  double leapfrog_step();
 
   MovingScene<Dim> scene_;
   double courant_factor_;

@@ -64,15 +64,17 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
         // the first.
         double const per_pair = moves(kind) ? 14.5 : (kind == CaseKind::rates ? 8.0 : 24.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
-        double const copies = integrator == "leapfrog" ? 5.0 : 21.0;
+        double const copies = integrator == "leapfrog" ? 5.0 : 22.0;
         double const copied =
             moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
         double const per_particle = 350.0 + 8.0 * copied;
-        // Whom a wall's foot point interpolates from, twice while it is found anew.
-        double const per_contact = moves(kind) ? 1800.0 : 480.0;
+        // Whom a wall's foot point interpolates from, more than once while it is found anew.
+        double const per_interpolated = moves(kind) ? 30.0 : 8.0;
+        double const neighbours = neighbours_per_particle<Dim>(smoothing_ratio);
         return particle_count(p.domain, layout, resolution) *
-               (per_particle + per_pair * neighbours_per_particle<Dim>(smoothing_ratio) +
-                per_contact * contacts_per_particle(p, resolution, smoothing_ratio));
+               (per_particle +
+                neighbours *
+                    (per_pair + per_interpolated * contacts_per_particle(p, resolution, smoothing_ratio)));
       },
       problem);
 }

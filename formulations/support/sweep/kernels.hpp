@@ -77,7 +77,7 @@ SPHVERIFY_INLINE Pack mask_idle(Pack squared, std::size_t idle, Pack h) {
 }
 
 /// Calls block(indices of four neighbours, number of the first, idle lanes) along a list. Lanes that are left
-/// over repeat the last neighbour: which row has how many is never predicted, so that nothing branches on it.
+/// over repeat the last neighbour, by an index and not by branches: how long a row is nobody predicts.
 template <class Block>
 SPHVERIFY_INLINE void for_each_four(std::uint32_t const* list, std::size_t count, Block const& block) {
   std::size_t const whole = count - count % Pack::size;

@@ -72,7 +72,7 @@ std::vector<Vector<Dim>> read_points(std::string const& text) {
     }
     if (coordinates.size() != Dim) {
       throw UserError("exact", "--points", "'" + std::string(point) + "'",
-                      fmt::format("{} coordinates per point", Dim));
+                      fmt::format("{} coordinates per point, with colons between them", Dim));
     }
     points.push_back(Eigen::Map<Vector<Dim> const>(coordinates.data()));
     start = end + 1;

@@ -53,7 +53,9 @@ Wall<Dim> read_wall(Node const& node) {
   wall.point = read_vector<Dim>(node.at("point"));
   wall.outward_normal = read_vector<Dim>(node.at("outward_normal"));
   double const length = wall.outward_normal.norm();
-  if (std::abs(length - 1.0) > 1e-6) node.at("outward_normal").complain("a vector of unit length");
+  if (std::abs(length - 1.0) > 1e-6) {
+    node.at("outward_normal").complain(fmt::format("a vector of unit length, this one's is {:.6g}", length));
+  }
   wall.outward_normal /= length;
   auto const scalar = [&](char const* key) -> ScalarAtWall<Dim> {
     auto const found = node.find(key);

@@ -1,6 +1,7 @@
 #include "harness/study/run_study.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -47,6 +48,16 @@ int jobs_at_a_time(Study const& study, int asked) {
                asked, cores, most, study.threads, most);
   }
   return asked == 0 ? most : std::min(asked, most);
+}
+
+/// Says how many runs ended how, unless all are ok.
+void say_outcomes(std::vector<RunRecord> const& runs) {
+  std::map<std::string, std::size_t> outcomes;
+  for (RunRecord const& run : runs) ++outcomes[run.status];
+  if (outcomes["ok"] == runs.size()) return;
+  std::vector<std::string> counts;
+  for (auto const& [status, count] : outcomes) counts.push_back(fmt::format("{} {}", count, status));
+  fmt::print(stderr, "of {} runs {}\n", runs.size(), fmt::join(counts, ", "));
 }
 
 /// Says why runs were refused, each reason once: it is the input that was wrong, not a formulation.
@@ -173,9 +184,10 @@ void run_study(Study const& study, StudyOptions const& options) {
   if (!study.envelope) results.series = build_series(results.runs);
   write_document(options.output, document_text(to_json(results)));
   if (journal) journal->remove();
+  say_outcomes(results.runs);
   say_invalid(results.runs);
   if (units == 0)
-    fmt::print(stderr, "nothing ran: every combination of {} is skipped, for the reasons above\n",
+    fmt::print(stderr, "nothing ran: every combination of study '{}' is skipped, for the reasons above\n",
                study.name);
 }
 

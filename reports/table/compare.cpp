@@ -72,7 +72,7 @@ std::vector<LegendEntry> series_legend() {
       {"1.2±0.1", "order with 95% interval"},
       {"~1.2", "order still changing"},
       {"floored, diverges", "no convergence"},
-      {"short", "fewer than three levels"},
+      {"short", "too few levels for an order"},
       {"settled", "asymptotic"},
       {"unsettled", "order still changing"},
       {"fails", "worse than any number"},

@@ -176,7 +176,14 @@ class OffATerminal(ProgramTest):
         self.assertEqual(len(strict_json(result.stdout)["skipped"]), 2)
         lines = result.stderr.splitlines()
         self.assertIn("a momentum form has no rate on a conduction case", lines[0])
-        self.assertEqual(lines[-1], "nothing ran: every combination of small is skipped, for the reasons above")
+        self.assertEqual(lines[-1], "nothing ran: every combination of study 'small' is skipped, for the reasons above")
+
+    def test_how_runs_ended_is_said_unless_all_are_ok(self):
+        for budget, said in ((1e-9, ["of 3 runs 0 ok, 3 timed-out"]), (60, [])):
+            study = self.write("study.json", small_study(time_budget=budget))
+            result = self.run_program("study", study, "-o", self.folder / "r.json")
+            self.assertEqual(result.returncode, DONE)
+            self.assertEqual([line for line in result.stderr.splitlines() if line.startswith("of ")], said)
 
     def test_results_go_to_standard_output_when_no_file_is_named(self):
         study = self.write("study.json", small_study())

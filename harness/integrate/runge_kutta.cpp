@@ -11,8 +11,8 @@ struct DestroyErk {
   void operator()(void* memory) const { ERKStepFree(&memory); }
 };
 
-/// Steps that are on average too short, over so many of them, will not end the run. A few may well be short: a
-/// rate that jumps (a particle comes into a wall's reach) is passed by steps whose error does not count.
+/// Steps that are on average too short, over so many of them, will not end the run. A few may well be short:
+/// a rate that jumps (a particle comes into a wall's reach) is passed by steps whose error does not count.
 constexpr std::uint64_t steps_to_judge = 1000;
 
 /// Quadratures follow the unknowns in one vector; nothing depends on them.

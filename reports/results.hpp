@@ -65,6 +65,9 @@ struct RegionError {
   NormSet error;
   NormSet scale;
   double round_off = 0.0;
+  std::optional<NormSet>
+      initial{};  ///< the error if the initial state were the answer: what doing nothing scores
+  Number mean{};  ///< weighted mean of computed - exact, with its sign; of scalar fields
 };
 
 /// region -> error; a region without particles is absent.
@@ -119,11 +122,11 @@ struct StableStep {
 };
 
 struct Stability {
-  Number spectral_abscissa;    ///< largest real part of an eigenvalue of the linearised rate [1/s]
-  Number abscissa_uncertainty; ///< how far off that may be, by rounding and what the matrix is off [1/s]
-  Number spectral_radius;      ///< largest modulus [1/s]
-  Number largest_imaginary;    ///< largest imaginary part [1/s]
-  Number largest_stable_step;  ///< of explicit Euler by theory [s]; empty where a mode grows
+  Number spectral_abscissa;     ///< largest real part of an eigenvalue of the linearised rate [1/s]
+  Number abscissa_uncertainty;  ///< how far off that may be, by rounding and what the matrix is off [1/s]
+  Number spectral_radius;       ///< largest modulus [1/s]
+  Number largest_imaginary;     ///< largest imaginary part [1/s]
+  Number largest_stable_step;   ///< of explicit Euler by theory [s]; empty where a mode grows
   std::optional<std::uint64_t> growing_modes;
   std::optional<std::uint64_t> unseen_modes;  ///< dimension of the rate's kernel: what it does not see
   std::string method;                         ///< `dense`, or `arnoldi` for few eigenvalues of many
@@ -242,12 +245,39 @@ struct RunRecord {
   std::vector<std::vector<double>> spectrum;  ///< [real, imaginary] per eigenvalue; empty unless asked for
 };
 
-/// An observed order with its 95% interval.
+/// What an error tends to as the spacing goes to 0, with its 95% interval, in the unit of the error.
+struct ErrorFloor {
+  double value = 0.0, lower = 0.0, upper = 0.0;
+};
+
+/// The fitted law of an error, F + A d^p (1 + c d^q), d the spacing in units of the finest level's.
+struct ErrorLaw {
+  double floor = 0.0;             ///< F, in the unit of the error
+  double coefficient = 0.0;       ///< A, likewise
+  double exponent = 0.0;          ///< p
+  double next_coefficient = 0.0;  ///< c
+  double next_exponent = 1.0;     ///< q
+};
+
+/// Where the fitted law comes down to an error.
+struct TargetResolution {
+  double error = 0.0;
+  Number relative;    ///< the error over the exact field's norm, where that is known
+  Number resolution;  ///< particles along the first axis (of `spacing` ladders: 1/spacing); empty: see remark
+  std::string
+      remark;  ///< why there is none (never, or not known), or that it lies beyond the levels that were run
+};
+
+/// An observed order with its 95% interval. Order, interval and floor are empty where the data cannot say.
 struct ObservedOrder {
   Number order, lower, upper;
   std::vector<Number> pairwise;  ///< between neighbouring levels
   std::string verdict;
   std::string reason;  ///< for the verdict, in words
+  std::string model;   ///< which law explains the levels best; empty: none does
+  std::optional<ErrorLaw> law;
+  std::optional<ErrorFloor> floor;
+  std::vector<TargetResolution> targets;
 };
 
 /// One level of a ladder: a resolution, its replicates merged.
@@ -259,6 +289,7 @@ struct SeriesLevel {
   Number spread;  ///< their standard deviation; empty for fewer than two
   Number seconds;
   MedianSeconds median{};  ///< means over the replicates
+  Number mean{};  ///< of computed - exact, with its sign, over region and replicates; of scalar fields
 };
 
 struct OrderEntry {

@@ -78,12 +78,14 @@ NormSet read_norms(Node const& node) {
 }
 
 /// Empty in documents of versions that did not measure it.
+Number found_number(Node const& node, char const* key) {
+  auto const found = node.find(key);
+  return found ? optional_number(*found) : Number();
+}
+
 MedianSeconds read_median(Node const& node) {
-  auto const read = [&](char const* key) {
-    auto const found = node.find(key);
-    return found ? optional_number(*found) : Number();
-  };
-  return {read("median_seconds"), read("low_seconds"), read("high_seconds")};
+  return {found_number(node, "median_seconds"), found_number(node, "low_seconds"),
+          found_number(node, "high_seconds")};
 }
 
 Cost read_cost(Node const& node) {
@@ -234,6 +236,25 @@ ObservedOrder read_order(Node const& node) {
   for (Node const& p : node.at("pairwise").elements()) o.pairwise.push_back(optional_number(p));
   o.verdict = node.at("verdict").string();
   o.reason = node.at("reason").string();
+  // Documents of versions before 0.2 have none of what follows.
+  if (auto const model = node.find("model")) o.model = optional_string(*model);
+  if (auto const law = node.find("law"); law && !law->is_null()) {
+    o.law =
+        ErrorLaw{measured(law->at("floor")), measured(law->at("coefficient")), measured(law->at("exponent")),
+                 measured(law->at("next_coefficient")), measured(law->at("next_exponent"))};
+  }
+  if (auto const floor = node.find("floor"); floor && !floor->is_null()) {
+    Node const interval = floor->at("interval");
+    auto const ends = interval.numbers();
+    if (ends.size() != 2) interval.complain("[lower, upper]");
+    o.floor = ErrorFloor{measured(floor->at("value")), ends[0], ends[1]};
+  }
+  if (auto const targets = node.find("targets")) {
+    for (Node const& t : targets->elements()) {
+      o.targets.push_back({measured(t.at("error")), optional_number(t.at("relative")),
+                           optional_number(t.at("N")), t.at("remark").string()});
+    }
+  }
   return o;
 }
 
@@ -254,7 +275,7 @@ Series read_series(Node const& node) {
       e.levels.push_back({static_cast<int>(count(level.at("resolution"))), measured(level.at("spacing")),
                           static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),
                           optional_number(level.at("spread")), optional_number(level.at("seconds")),
-                          read_median(level)});
+                          read_median(level), found_number(level, "mean")});
     }
     s.orders.push_back(std::move(e));
   }
@@ -290,7 +311,10 @@ RunRecord read_run(Node const& node) {
   }
   for (auto const& [field, regions] : node.at("errors").members()) {
     for (auto const& [region, e] : regions.members()) {
-      r.errors[field][region] = {read_norms(e), read_norms(e.at("scale")), measured(e.at("round_off"))};
+      RegionError& error = r.errors[field][region];
+      error = {read_norms(e), read_norms(e.at("scale")), measured(e.at("round_off"))};
+      if (auto const initial = e.find("initial")) error.initial = read_norms(*initial);
+      error.mean = found_number(e, "mean");
     }
   }
   for (auto const& [quantity, b] : node.at("conservation").members()) {

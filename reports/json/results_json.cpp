@@ -40,6 +40,8 @@ Json errors_json(std::map<std::string, FieldErrors> const& errors) {
       Json entry = to_json(e.error);
       entry["scale"] = to_json(e.scale);
       entry["round_off"] = number(e.round_off);
+      if (e.initial) entry["initial"] = to_json(*e.initial);
+      if (e.mean) entry["mean"] = number(*e.mean);
       fields[field][region] = entry;
     }
   }
@@ -178,14 +180,12 @@ Json to_json(Profile const& p) {
   return json;
 }
 
-Json to_json(ObservedOrder const& o) {
-  Json pairwise = Json::array();
-  for (Number const& p : o.pairwise) pairwise.push_back(number(p));
-  return {{"order", number(o.order)},
-          {"interval", o.lower ? Json::array({number(o.lower), number(o.upper)}) : Json(nullptr)},
-          {"pairwise", pairwise},
-          {"verdict", o.verdict},
-          {"reason", o.reason}};
+Json to_json(ErrorLaw const& law) {
+  return {{"floor", number(law.floor)},
+          {"coefficient", number(law.coefficient)},
+          {"exponent", number(law.exponent)},
+          {"next_coefficient", number(law.next_coefficient)},
+          {"next_exponent", number(law.next_exponent)}};
 }
 
 Json to_json(OrderEntry const& e) {
@@ -198,6 +198,7 @@ Json to_json(OrderEntry const& e) {
                               {"replicates", level.replicates},
                               {"error", number(level.error)},
                               {"spread", number(level.spread)},
+                              {"mean", number(level.mean)},
                               {"seconds", number(level.seconds)}});
     put_median(json["levels"].back(), level.median);
   }
@@ -256,6 +257,31 @@ Json to_json(Series const& s) {
 }
 
 }  // namespace
+
+Json to_json(ObservedOrder const& o) {
+  Json pairwise = Json::array();
+  for (Number const& p : o.pairwise) pairwise.push_back(number(p));
+  Json json = {{"order", number(o.order)},
+               {"interval", o.lower ? Json::array({number(o.lower), number(o.upper)}) : Json(nullptr)},
+               {"pairwise", pairwise},
+               {"verdict", o.verdict},
+               {"reason", o.reason},
+               {"model", o.model.empty() ? Json(nullptr) : Json(o.model)},
+               {"law", o.law ? to_json(*o.law) : Json(nullptr)},
+               {"floor", nullptr},
+               {"targets", Json::array()}};
+  if (o.floor) {
+    json["floor"] = {{"value", number(o.floor->value)},
+                     {"interval", Json::array({number(o.floor->lower), number(o.floor->upper)})}};
+  }
+  for (TargetResolution const& target : o.targets) {
+    json["targets"].push_back({{"error", number(target.error)},
+                               {"relative", number(target.relative)},
+                               {"N", number(target.resolution)},
+                               {"remark", target.remark}});
+  }
+  return json;
+}
 
 Json to_json(Context const& c) {
   return {{"version", c.version},     {"commit", c.commit}, {"compiler", c.compiler}, {"flags", c.flags},

@@ -10,6 +10,7 @@ namespace sphverify {
 /// The results document, sphverify-results/1.
 Json to_json(Results const& results);
 Json to_json(RunRecord const& run);
+Json to_json(ObservedOrder const& order);
 Json to_json(Context const& context);
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters);
 Json to_json(FormulationChoice const& formulation);

@@ -42,6 +42,8 @@ RunRecord full_run() {
   r.errors["temperature"]["all"] = {{0.1, 0.2, 0.3}, {1.1, 1.2, 1.3}, 1e-14};
   r.errors["temperature"]["wall"] = {{0.4, 0.5, 0.6}, {1.4, 1.5, 1.6}, 2e-14};
   r.errors["flux"]["all"] = {{0.7, 0.8, 0.9}, {1.7, 1.8, 1.9}, 3e-14};
+  r.errors["temperature"]["wall"].initial = NormSet{0.44, 0.55, 0.66};
+  r.errors["temperature"]["wall"].mean = -0.33;
   Budget energy;
   energy.initial = 2.1;
   energy.final = 2.2;
@@ -123,7 +125,12 @@ Results full_results() {
   entry.observed.pairwise = {1.45, std::nullopt};
   entry.observed.verdict = "asymptotic";
   entry.observed.reason = "why";
-  entry.levels = {{25, 0.04, 5, 0.1, 0.01, 2.5, {2.6, 2.55, 2.7}},
+  entry.observed.model = "floor";
+  entry.observed.law = ErrorLaw{0.01, 0.09, 1.5, 0.2, 2.0};
+  entry.observed.floor = ErrorFloor{0.01, 0.008, 0.012};
+  entry.observed.targets = {{0.02, 0.05, 77.0, "beyond the levels"},
+                            {0.005, std::nullopt, std::nullopt, "never"}};
+  entry.levels = {{25, 0.04, 5, 0.1, 0.01, 2.5, {2.6, 2.55, 2.7}, -0.06},
                   {50, 0.02, 5, std::nullopt, std::nullopt, std::nullopt}};
   OrderEntry without;
   without.field = "flux";
@@ -157,6 +164,9 @@ BOOST_AUTO_TEST_CASE(what_a_run_holds_survives_the_document) {
   BOOST_TEST(read.scene.passes.at("flux") == 20u);
   BOOST_TEST(read.errors.at("temperature").at("wall").error.linf == 0.6);
   BOOST_TEST(read.errors.at("flux").at("all").scale.l1 == 1.7);
+  BOOST_TEST(read.errors.at("temperature").at("wall").initial->l2 == 0.55);
+  BOOST_TEST(*read.errors.at("temperature").at("wall").mean == -0.33);
+  BOOST_TEST(!read.errors.at("flux").at("all").initial.has_value());
   BOOST_TEST(!read.conservation.at("mass").wall_budget_defect.has_value());
   BOOST_TEST(*read.conservation.at("energy").wall_budget_defect == -0.07);
   BOOST_TEST(!read.conservation.contains("momentum"));
@@ -200,6 +210,26 @@ BOOST_AUTO_TEST_CASE(results_written_to_a_file_read_back_as_the_same_document) {
   std::string const text = document_text(to_json(full_results()));
   write_document(path, text);
   BOOST_TEST(document_text(to_json(read_results(path))) == text);
+}
+
+BOOST_AUTO_TEST_CASE(what_an_order_says_survives_the_document) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("results.json");
+  write_document(path, document_text(to_json(full_results())));
+  OrderEntry const read = read_results(path).series[0].orders[0];
+  BOOST_TEST(read.observed.model == "floor");
+  BOOST_TEST(read.observed.law->floor == 0.01);
+  BOOST_TEST(read.observed.law->coefficient == 0.09);
+  BOOST_TEST(read.observed.law->exponent == 1.5);
+  BOOST_TEST(read.observed.law->next_coefficient == 0.2);
+  BOOST_TEST(read.observed.law->next_exponent == 2.0);
+  BOOST_TEST(read.observed.floor->lower == 0.008);
+  BOOST_TEST(read.observed.floor->upper == 0.012);
+  BOOST_TEST(*read.observed.targets.at(0).resolution == 77.0);
+  BOOST_TEST(*read.observed.targets.at(0).relative == 0.05);
+  BOOST_TEST(!read.observed.targets.at(1).resolution.has_value());
+  BOOST_TEST(read.observed.targets.at(1).remark == "never");
+  BOOST_TEST(*read.levels.at(0).mean == -0.06);
 }
 
 BOOST_AUTO_TEST_CASE(times_of_levels_and_to_an_error_survive_the_document) {

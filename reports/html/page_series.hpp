@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "reports/html/page_json.hpp"
+#include "reports/table/series_row.hpp"
+
+namespace sphverify::page {
+
+/// One ladder: its settings, what the tables show of it, its levels, its errors and what the orders say.
+Json series_json(Series const& series, SeriesRow const& row, std::vector<RunRecord> const& runs,
+                 Dictionary& word);
+
+}  // namespace sphverify::page

@@ -18,7 +18,7 @@ Json envelopes_json(Results const& results, Dictionary& word) {
   for (Envelope const& e : results.envelopes) {
     Json json = {{"case", word(e.case_id)}};
     put_formulation(json, e.formulation, e.label, word);
-    json["settings"] = settings_json(e.discretisation, 0.0, word);
+    json["settings"] = settings_json(e.discretisation, 0.0, e.resolution, word);
     json["resolution"] = e.resolution;
     json["parameter"] = e.parameter;
     json["logarithmic"] = e.logarithmic;
@@ -60,6 +60,7 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                  {"date", c.date}}},
                {"study", Json::parse(results.study)},
                {"disturbance", disturbance({rows, rows + results.series.size()})},
+               {"summary", Json::array()},
                {"series", std::move(series)},
                {"runs", runs_json(results, series_of, word)},
                {"profiles", profiles_json(results, share)},

@@ -6,18 +6,22 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "reports/table/setting.hpp"
+
 namespace sphverify::page {
 
 namespace {
 
 constexpr std::size_t fewest_points = 16;
 
-std::string layout_text(LayoutChoice const& layout) {
-  return layout.id == "jittered" ? fmt::format("jittered {:g}", layout.amplitude) : layout.id;
+std::string viscosity_text(ViscosityChoice const& v) {
+  return v == ViscosityChoice{} ? "off" : fmt::format("alpha {:g}, beta {:g}", v.alpha, v.beta);
 }
 
-std::string viscosity_text(ViscosityChoice const& v) {
-  return v == ViscosityChoice{} ? "off" : fmt::format("{:g}, {:g}", v.alpha, v.beta);
+/// "1.2", or of a refinement path "1.2 (N/25)^0.5".
+std::string ratio_text(double ratio, double exponent, int first_resolution) {
+  if (exponent == 0.0) return fmt::format("{:g}", ratio);
+  return fmt::format("{:g} (N/{})^{:g}", ratio, first_resolution, exponent);
 }
 
 }  // namespace
@@ -77,14 +81,13 @@ Json time_json(Number const& shortest, MedianSeconds const& m) {
   return {number(m.median), number(m.low), number(m.high)};
 }
 
-Json settings_json(Discretisation const& d, double smoothing_exponent, Dictionary& word) {
+Json settings_json(Discretisation const& d, double smoothing_exponent, int first_resolution,
+                   Dictionary& word) {
   return {{"density", word(d.density)},
           {"closure", word(d.closure)},
           {"face weight", word(d.face_weight)},
-          {"layout", word(layout_text(d.layout))},
-          {"h/dx", word(fmt::format("{:g}", d.smoothing_ratio))},
-          {"refinement",
-           word(smoothing_exponent == 0.0 ? "h/dx fixed" : fmt::format("h/dx ~ N^{:g}", smoothing_exponent))},
+          {"layout", word(layout_name(d.layout))},
+          {"h/dx", word(ratio_text(d.smoothing_ratio, smoothing_exponent, first_resolution))},
           {"smoothing", word(d.smoothing)},
           {"viscosity", word(viscosity_text(d.viscosity))},
           {"wall motion", word(d.wall_motion)},

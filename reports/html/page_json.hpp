@@ -46,7 +46,9 @@ std::size_t points_each(std::size_t most_numbers, std::size_t numbers_per_point)
 Json time_json(Number const& shortest, MedianSeconds const& median);
 
 /// The settings beside the formulation, in the order in which the page names them.
-Json settings_json(Discretisation const& discretisation, double smoothing_exponent, Dictionary& word);
+/// @param first_resolution where h/dx is the nominal ratio, if it grows
+Json settings_json(Discretisation const& discretisation, double smoothing_exponent, int first_resolution,
+                   Dictionary& word);
 
 /// Keys `label`, `formulation`, `work`, `conduction` and `walls`.
 void put_formulation(Json& json, FormulationChoice const& choice, std::string const& label, Dictionary& word);

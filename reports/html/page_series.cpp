@@ -1,7 +1,10 @@
 #include "reports/html/page_series.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
+#include <utility>
 
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
@@ -56,36 +59,64 @@ Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
   return list;
 }
 
+/// [floor, coefficient, exponent, next coefficient, next exponent], as in ErrorLaw; null without a law.
+Json law_json(std::optional<ErrorLaw> const& law) {
+  if (!law) return nullptr;
+  return {number(law->floor), number(law->coefficient), number(law->exponent), number(law->next_coefficient),
+          number(law->next_exponent)};
+}
+
+/// [[relative, error, N, remark], ...]
+Json targets_json(std::vector<TargetResolution> const& targets, Dictionary& word) {
+  Json list = Json::array();
+  for (TargetResolution const& target : targets) {
+    list.push_back({number(target.relative), number(target.error), number(target.resolution),
+                    word.or_null(target.remark)});
+  }
+  return list;
+}
+
+/// The errors of an entry at all levels of the series; an entry's own may be fewer.
+/// @return keys `errors`, and `spreads` and `means` where any level has one
+Json entry_levels_json(Series const& series, std::vector<RunRecord> const& runs, OrderEntry const& entry) {
+  std::map<int, SeriesLevel const*> by_resolution;
+  for (std::size_t const index : series.runs) by_resolution[runs[index].resolution] = nullptr;
+  for (SeriesLevel const& level : entry.levels) {
+    if (auto const place = by_resolution.find(level.resolution); place != by_resolution.end())
+      place->second = &level;
+  }
+  Json json = Json::object();
+  auto const put = [&](char const* key, Number SeriesLevel::*value, bool always) {
+    Json list = Json::array();
+    bool exists = always;
+    for (auto const& [resolution, level] : by_resolution) {
+      list.push_back(level ? number(level->*value) : Json(nullptr));
+      exists = exists || !list.back().is_null();
+    }
+    if (exists) json[key] = std::move(list);
+  };
+  put("errors", &SeriesLevel::error, true);
+  put("spreads", &SeriesLevel::spread, false);
+  put("means", &SeriesLevel::mean, false);
+  return json;
+}
+
 Json orders_json(Series const& series, std::vector<RunRecord> const& runs, Dictionary& word) {
   Json list = Json::array();
   for (OrderEntry const& entry : series.orders) {
-    // Levels of all runs are listed beside; an entry's own may be fewer.
-    std::map<int, SeriesLevel const*> by_resolution;
-    for (std::size_t const index : series.runs) by_resolution[runs[index].resolution] = nullptr;
-    for (SeriesLevel const& level : entry.levels) {
-      if (auto const place = by_resolution.find(level.resolution); place != by_resolution.end())
-        place->second = &level;
-    }
-    Json errors = Json::array();
-    Json spreads = Json::array();
-    bool spread_exists = false;
-    for (auto const& [resolution, level] : by_resolution) {
-      errors.push_back(level ? number(level->error) : Json(nullptr));
-      spreads.push_back(level ? number(level->spread) : Json(nullptr));
-      spread_exists = spread_exists || !spreads.back().is_null();
-    }
-    Json row = {word(entry.field),
-                word(entry.region),
-                word(entry.norm),
-                entry.allowed,
-                number(entry.observed.order),
-                number(entry.observed.lower),
-                number(entry.observed.upper),
-                word(entry.observed.verdict),
-                number(scale_of(series, runs, entry)),
-                errors};
-    if (spread_exists) row.push_back(spreads);
-    list.push_back(std::move(row));
+    ObservedOrder const& o = entry.observed;
+    Json json = entry_levels_json(series, runs, entry);
+    json["of"] = {word(entry.field), word(entry.region), word(entry.norm)};
+    json["scale"] = number(scale_of(series, runs, entry));
+    json["allowed"] = entry.allowed;
+    json["order"] = {number(o.order), number(o.lower), number(o.upper)};
+    json["verdict"] = word(o.verdict);
+    json["reason"] = word.or_null(o.reason);
+    if (!o.model.empty()) json["model"] = word(o.model);
+    if (o.law) json["law"] = law_json(o.law);
+    if (o.floor) json["floor"] = {number(o.floor->value), number(o.floor->lower), number(o.floor->upper)};
+    if (!o.targets.empty()) json["targets"] = targets_json(o.targets, word);
+    list.push_back(std::move(json));
   }
   return list;
 }
@@ -95,26 +126,31 @@ Json target_json(TimeToTarget const& target) {
 }
 
 Json row_json(SeriesRow const& row) {
-  return {{"field", row.field},
-          {"norm", row.norm},
-          {"finest", row.finest},
-          {"verdict", row.verdict},
-          {"failures", row.failures},
-          {"error", number(row.error)},
-          {"relative_error", number(row.relative_error)},
-          {"order", number(row.order)},
-          {"half_width", number(row.half_width)},
-          {"time", time_json(row.seconds, row.median)},
-          {"to_percent", target_json(row.to_percent)},
-          {"to_permille", target_json(row.to_permille)},
-          {"wall_flux_error", number(row.wall_flux_error)},
-          {"energy_drift", number(row.energy_drift)},
-          {"wall_budget_defect", number(row.wall_budget_defect)},
-          {"plateau_pressure", number(row.plateau_pressure)},
-          {"wall_heating", number(row.wall_heating)},
-          {"wall_impulse_defect", number(row.wall_impulse_defect)},
-          {"momentum_drift", number(row.momentum_drift)},
-          {"time_error_share", number(row.time_error_share)}};
+  return {
+      {"field", row.field},
+      {"norm", row.norm},
+      {"finest", row.finest},
+      {"verdict", row.verdict},
+      {"failures", row.failures},
+      {"error", number(row.error)},
+      {"relative_error", number(row.relative_error)},
+      {"order", number(row.order)},
+      {"half_width", number(row.half_width)},
+      {"time", time_json(row.seconds, row.median)},
+      {"to_percent", target_json(row.to_percent)},
+      {"to_permille", target_json(row.to_permille)},
+      {"wall_flux_error", number(row.wall_flux_error)},
+      {"energy_drift", number(row.energy_drift)},
+      {"energy_rounding", number(row.energy_rounding)},
+      {"wall_budget_defect", number(row.wall_budget_defect)},
+      {"plateau_pressure", number(row.plateau_pressure)},
+      {"wall_heating", number(row.wall_heating)},
+      {"wall_impulse_defect", number(row.wall_impulse_defect)},
+      {"momentum_drift", number(row.momentum_drift)},
+      {"time_error_share", number(row.time_error_share)},
+      {"is_linearised", row.stability.has_value()},
+      {"growing_modes",
+       row.stability && row.stability->growing_modes ? Json(*row.stability->growing_modes) : Json(nullptr)}};
 }
 
 }  // namespace
@@ -123,7 +159,11 @@ Json series_json(Series const& series, SeriesRow const& row, std::vector<RunReco
                  Dictionary& word) {
   Json json = {{"case", word(series.case_id)}, {"parameters", word(row.parameters)}};
   put_formulation(json, series.formulation, series.label, word);
-  json["settings"] = settings_json(series.discretisation, series.smoothing_exponent, word);
+  int first_resolution = row.finest;
+  for (std::size_t const run : series.runs)
+    first_resolution = std::min(first_resolution, runs[run].resolution);
+  json["settings"] = settings_json(series.discretisation, series.smoothing_exponent, first_resolution, word);
+  json["is_control"] = !series.formulation.walls;
   json["row"] = row_json(row);
   json["levels"] = levels_json(series, runs, word);
   json["orders"] = orders_json(series, runs, word);

@@ -48,22 +48,11 @@ function readSeries(raw, index, word) {
     time: readTime(time),
   }));
   const { time, to_percent, to_permille, ...row } = raw.row;
-  const orders = raw.orders.map((row) => ({
-    field: word(row[0]),
-    region: word(row[1]),
-    norm: word(row[2]),
-    allowed: row[3],
-    order: row[4],
-    lower: row[5],
-    upper: row[6],
-    verdict: word(row[7]),
-    scale: row[8],
-    errors: row[9],
-    spreads: row[10] ?? row[9].map(() => null),
-  }));
+  const orders = raw.orders.map((entry) => readOrder(entry, word));
   return {
     ...raw,
     index,
+    isControl: raw.is_control,
     row: {
       ...row,
       time: readTime(time),
@@ -79,6 +68,38 @@ function readSeries(raw, index, word) {
     work: word(raw.work),
     conduction: word(raw.conduction),
     settings: readSettings(raw.settings, word),
+  };
+}
+
+// What was observed of one field, region and norm; `law`, `floor` and numbers are null where the data cannot say.
+function readOrder(raw, word) {
+  const [field, region, norm] = raw.of.map(word);
+  const [order, lower, upper] = raw.order;
+  const [floor, coefficient, exponent, nextCoefficient, nextExponent] = raw.law ?? [];
+  const none = raw.errors.map(() => null);
+  return {
+    field,
+    region,
+    norm,
+    allowed: raw.allowed,
+    scale: raw.scale,
+    order,
+    lower,
+    upper,
+    verdict: word(raw.verdict),
+    reason: word(raw.reason),
+    errors: raw.errors,
+    spreads: raw.spreads ?? none,
+    means: raw.means ?? none,
+    model: word(raw.model),
+    law: raw.law ? { floor, coefficient, exponent, nextCoefficient, nextExponent } : null,
+    floor: raw.floor ? { value: raw.floor[0], lower: raw.floor[1], upper: raw.floor[2] } : null,
+    targets: (raw.targets ?? []).map(([relative, error, resolution, remark]) => ({
+      relative,
+      error,
+      resolution,
+      remark: word(remark),
+    })),
   };
 }
 
@@ -218,9 +239,9 @@ function varyingSettings(series) {
   );
 }
 
-// Words that speak for themselves go without the name of what they set.
+// A layout speaks for itself; of the others the quantity is named: "h/dx 1.2".
 function settingText(series, keys) {
-  const text = (key) => (["layout", "refinement"].includes(key) ? "" : `${key} `) + series.settings[key];
+  const text = (key) => (key === "layout" ? "" : `${key} `) + series.settings[key];
   return keys.map(text).join(" · ") || "one setting";
 }
 

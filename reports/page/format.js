@@ -45,8 +45,9 @@ function formatTime({ seconds, low, high }) {
 
 function formatOrder(order, lower, upper) {
   if (order === null || order === undefined) return "–";
-  const text = order.toFixed(2);
-  return lower === null || upper === null ? text : `${text} [${lower.toFixed(2)}, ${upper.toFixed(2)}]`;
+  // Nothing below 0 is left of -0.001.
+  const text = (value) => value.toFixed(2).replace(/^-0\.00$/, "0.00");
+  return lower === null || upper === null ? text(order) : `${text(order)} [${text(lower)}, ${text(upper)}]`;
 }
 
 function formatRatio(value) {

@@ -24,32 +24,38 @@ function documentPart(doc) {
     "article",
     { class: "document", id: doc.id, "aria-labelledby": `${doc.id}-title` },
     element("h2", { id: `${doc.id}-title` }, doc.study.name ?? doc.name),
-    contextOf(doc),
+    runLine(doc),
   );
   node.append(summarySection(doc));
   const chosen = doc.series.length > 0 ? chosenPart(doc) : null;
-  node.append(...[envelopeSection(doc), chosen, failureSection(doc), skippedSection(doc)].filter(Boolean));
+  node.append(...[envelopeSection(doc), chosen, failureSection(doc), skippedSection(doc), contextSection(doc)].filter(Boolean));
   return node;
 }
 
-function contextOf(doc) {
-  const { version, commit, compiler, flags, processor, cores, date } = doc.context;
+// In a line what was run; the rest stands at the end, under About the run.
+function runLine(doc) {
   const failed = doc.runs.filter((run) => run.status !== "ok").length;
+  return element(
+    "p",
+    { class: "parameters" },
+    `${plural(doc.runs.length, "run")} in ${plural(doc.series.length, "ladder")}, ${failed} failed, ` +
+      `${plural(doc.skipped.length, "combination")} skipped`,
+  );
+}
+
+function contextSection(doc) {
+  const { version, commit, compiler, flags, processor, cores, date } = doc.context;
   const facts = [
     ["File", doc.name],
-    [
-      "Run",
-      `${plural(doc.runs.length, "run")} in ${plural(doc.series.length, "ladder")}, ${failed} failed, ` +
-        `${plural(doc.skipped.length, "combination")} skipped`,
-    ],
     ["Version", `${version} (${commit})`],
     ["Built with", `${compiler} ${flags}`],
     ["Machine", `${processor}, ${plural(cores, "core")}`],
     ["Date", date.replace("T", " ").replace("Z", " UTC")],
   ];
-  return element(
-    "div",
-    { class: "context" },
+  return section(
+    doc,
+    "context",
+    "About the run",
     element(
       "dl",
       {},

@@ -18,6 +18,8 @@ function stepRows(view, series) {
           series: entry.series,
           run: entry.run,
           growing: entry.growing,
+          grows: entry.grows,
+          isKnown: entry.growing !== null || entry.worst !== null,
           difference,
           agrees: isTried ? Math.abs(difference) <= stepAgreement : null,
         };
@@ -28,7 +30,8 @@ function stepRows(view, series) {
 function agreementText(row) {
   if (row.agrees === null) return "";
   // A mode may grow too slowly for the steps that were tried to show it.
-  return (row.agrees ? "agree" : "differ") + (row.growing > 0 ? ", but a mode grows" : "");
+  const words = row.grows ? ", but a mode grows" : row.isKnown ? "" : ", but whether a mode grows is not known";
+  return (row.agrees ? "agree" : "differ") + words;
 }
 
 // No step at all is stable, whatever its length.
@@ -51,10 +54,12 @@ function stepSection(view) {
           `${plural(tried.length, "step")}, at most ${formatPercent(Math.abs(widest.difference))} apart`,
       );
     }
-    const growing = tried.filter((row) => row.growing > 0).length;
+    const growing = tried.filter((row) => row.grows).length;
+    const unknown = tried.filter((row) => !row.isKnown).length;
     if (growing) parts.push(`a mode grows on ${growing} of them all the same`);
+    if (unknown) parts.push(`whether a mode grows is not known on ${unknown} of them`);
     if (without) parts.push(`no step is stable on ${without} of ${own.length}`);
-    const isGood = agreeing.length === tried.length && growing + without === 0;
+    const isGood = agreeing.length === tried.length && growing + unknown + without === 0;
     return parts.length ? [isGood ? "good" : "care", `${name}: ${parts.join("; ")}.`] : null;
   });
   return section(
@@ -144,7 +149,7 @@ function stepTable(view, rows) {
       numberColumn("by experiment", (row) => row.measured, formatSeconds),
       numberColumn("difference", (row) => row.difference, formatDifference),
       { label: "agreement", value: agreementText },
-      numberColumn("growing modes", (row) => row.growing),
+      growthColumn(),
       { label: "remark", value: (row) => row.remark },
     ],
     rows,

@@ -114,10 +114,11 @@ function sortableTable(title, columns, rows, rowClass = () => null) {
   );
 }
 
-// Columns that no row fills are left out.
+// Columns that no row fills are left out; a column may say itself what fills it.
 function filled(columns, rows) {
   return columns.filter((column) =>
     rows.some((row) => {
+      if (column.isFilled) return column.isFilled(row);
       const value = column.value(row);
       return value !== null && value !== undefined && value !== "";
     }),
@@ -133,6 +134,16 @@ function settingColumns(series, seriesOf) {
 
 function numberColumn(label, value, text = formatNumber) {
   return { label, value, text: (row) => text(value(row)) };
+}
+
+// How many modes grow. Of a large operator that may not be known though one is known to.
+function growthColumn() {
+  return {
+    label: "growing modes",
+    value: (row) => row.growing,
+    isFilled: () => true,
+    text: (row) => (row.growing !== null ? String(row.growing) : row.grows ? "at least 1" : "not known"),
+  };
 }
 
 // The time that a level reached already where it is coarsest is an upper bound.
@@ -158,6 +169,32 @@ function runColumns(series) {
   ];
 }
 
+// Relative where the exact field is not 0, as the errors beside it.
+function floorColumn(entry) {
+  const scale = (e) => (e.scale > 0 ? e.scale : 1);
+  return {
+    label: "floor [95%]",
+    value: (s) => (entry(s)?.floor ? entry(s).floor.value / scale(entry(s)) : null),
+    text: (s) => {
+      const e = entry(s);
+      if (!e?.floor) return "not known";
+      const format = e.scale > 0 ? formatPercent : formatNumber;
+      return floorText(e.floor, (value) => format(value / scale(e)));
+    },
+  };
+}
+
+// Where the fitted law comes down to a part of the exact field.
+function resolutionColumn(label, entry, relative) {
+  const target = (s) => entry(s)?.targets.find((t) => t.relative === relative);
+  return {
+    label,
+    value: (s) => target(s)?.resolution ?? null,
+    isFilled: (s) => target(s) !== undefined,
+    text: (s) => targetResolutionText(entry(s), relative),
+  };
+}
+
 function ladderTable(view) {
   const rows = view.tableSeries;
   const entry = (s) =>
@@ -181,13 +218,18 @@ function ladderTable(view) {
         text: (s) => formatOrder(entry(s)?.order, entry(s)?.lower, entry(s)?.upper),
       },
       { label: "verdict", value: (s) => entry(s)?.verdict },
+      { label: "because", value: (s) => entry(s)?.reason },
+      { label: "model", value: (s) => entry(s)?.model },
+      floorColumn(entry),
+      resolutionColumn("N to 1%", entry, 0.01),
+      resolutionColumn("N to 0.1%", entry, 0.001),
       timeColumn("run time", (s) => s.row.time),
       timeColumn("time to 1% (all)", (s) => s.row.toPercent),
       timeColumn("time to 0.1% (all)", (s) => s.row.toPermille),
       numberColumn("wall flux error", (s) => s.row.wall_flux_error, formatPercent),
-      numberColumn("energy drift", (s) => s.row.energy_drift),
-      numberColumn("wall budget defect", (s) => s.row.wall_budget_defect),
-      numberColumn("plateau pressure", (s) => s.row.plateau_pressure, formatPercent),
+      numberColumn("energy drift / energy", (s) => s.row.energy_drift),
+      numberColumn("wall budget defect / energy", (s) => s.row.wall_budget_defect),
+      numberColumn("error of the plateau pressure", (s) => s.row.plateau_pressure, formatPercent),
       numberColumn("wall heating", (s) => s.row.wall_heating, formatPercent),
       numberColumn("wall impulse defect", (s) => s.row.wall_impulse_defect, formatPercent),
       numberColumn("momentum drift", (s) => s.row.momentum_drift),
@@ -214,15 +256,15 @@ function runTable(view) {
       timeColumn("run time", (r) => r.time),
       numberColumn("steps", (r) => r.steps),
       numberColumn("rate evaluations", (r) => r.rate_evaluations),
-      numberColumn("pairs", (r) => r.pair_interactions),
-      numberColumn("bytes", (r) => r.peak_bytes),
-      numberColumn("energy drift", (r) => r.energy_drift),
-      numberColumn("wall budget defect", (r) => r.wall_budget_defect),
+      numberColumn("pair interactions", (r) => r.pair_interactions),
+      numberColumn("memory [bytes]", (r) => r.peak_bytes),
+      numberColumn("energy drift / energy", (r) => r.energy_drift),
+      numberColumn("wall budget defect / energy", (r) => r.wall_budget_defect),
       numberColumn("wall flux error", (r) => r.wall_flux_error, formatPercent),
       numberColumn("time error share", (r) => r.time_error_share),
       numberColumn("spectral abscissa [1/s]", (r) => r.spectral_abscissa),
       numberColumn("spectral radius [1/s]", (r) => r.spectral_radius),
-      numberColumn("stable Euler step", (r) => r.largest_stable_step, formatSeconds),
+      numberColumn("longest stable Euler step", (r) => r.largest_stable_step, formatSeconds),
     ],
     rows,
   );

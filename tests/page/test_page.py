@@ -5,6 +5,7 @@ import copy
 import json
 import math
 import pathlib
+import re
 import sys
 import tempfile
 import time
@@ -118,6 +119,68 @@ TIMED = {
     "measure": ["error", "cost"],
     "repeat": {"most": 8, "least": 6, "spread": 0.1, "seconds": 2},
 }
+# One ladder for each formulation, so that a card's numbers are this ladder's.
+CARDS = {
+    "schema": "sphverify-study/1",
+    "name": "cards",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": [
+        {"id": "conduction/brookshaw", "walls": "off"},
+        "conduction/lucy-flux",
+        "conduction/brookshaw",
+        {"id": "conduction/lucy-flux", "walls": "off"},
+    ],
+    "resolution": [10, 20, 40],
+    "smoothing_exponent": 0.5,
+    "measure": ["error", "conservation", "cost", "stability"],
+}
+LAYOUTS = {
+    "schema": "sphverify-study/1",
+    "name": "layouts",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": ["conduction/brookshaw"],
+    "discretisation": {
+        "layout": [{"id": "clumped", "separation": 0.2}, {"id": "clumped", "separation": 0.4}],
+        "smoothing_ratio": [1.2, 1.5],
+    },
+    "resolution": [12, 24],
+    "smoothing_exponent": [0, 0.5],
+    "measure": ["error"],
+}
+LAW = {"floor": 2e-3, "coefficient": 3e-3, "exponent": 1.5, "next_coefficient": 0.2, "next_exponent": 1.0}
+
+
+def with_laws(document):
+    """A law of brookshaw, a floor alone of lucy-flux; without wall terms nothing is known."""
+    for series in document["series"]:
+        for order in series["orders"]:
+            order |= {"order": None, "interval": None, "model": None, "law": None, "floor": None, "targets": []}
+            order |= {"verdict": "pre-asymptotic", "reason": "made up"}
+        if series["walls"] == "off":
+            continue
+        entry = entry_of(series)
+        if series["formulation"] == "conduction/brookshaw":
+            entry |= {"order": 1.5, "interval": [1.2, 1.9], "model": "power on a floor", "law": LAW}
+            entry["floor"] = {"value": 2e-3, "interval": [1e-3, 4e-3]}
+            near = {"error": 0.01, "relative": 0.01, "N": 33.2, "remark": ""}
+            entry["targets"] = [near, near | {"relative": 0.001, "N": None, "remark": "never: the floor is higher"}]
+        else:
+            entry |= {"model": "none", "floor": {"value": 3e-2, "interval": [2e-2, 4e-2]}}
+    return document
+
+
+def law_at(d, exponent=LAW["exponent"]):
+    return LAW["floor"] + LAW["coefficient"] * d**exponent * (1 + LAW["next_coefficient"] * d)
+
+
+def name_of(series):
+    return series["label"].split("/")[1]
+
+
+def three_digits(value):
+    """A number as the page writes it."""
+    text = f"{float(format(value, '.3g')):g}"
+    return text if 1e-4 <= abs(value) < 1e5 else f"{value:.1e}".replace("e-0", "e-").replace(".0e", "e")
 
 
 def envelopes_of(document):
@@ -202,7 +265,7 @@ class PageTest(program.ProgramTest):
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
         cls.stable = maker.study(STABLE, "stable.json")
         maker.succeed("report", cls.place / "stable.json", "-o", cls.place / "stable.html")
-        unknown = copy.deepcopy(cls.stable)
+        cls.unknown = unknown = copy.deepcopy(cls.stable)
         for run in unknown["runs"]:
             if run["label"] == "conduction/brookshaw" or run["discretisation"]["layout"] == "lattice":
                 run["stability"] |= {"growing_modes": None, "worst_mode": None, "remark": "too many unknowns"}
@@ -222,6 +285,22 @@ class PageTest(program.ProgramTest):
         given |= {(brookshaw, 0.001): (0.1, 0.09, 0.11), (lucy, 0.001): (0.3, 0.297, 0.306)}
         maker.write("given.json", set_times(copy.deepcopy(cls.timed), given))
         maker.succeed("report", cls.place / "given.json", "-o", cls.place / "given.html")
+        cls.cards = maker.study(CARDS, "cards.json")
+        # Were they not controls, forms without wall terms would be soonest.
+        soon = copy.deepcopy(cls.cards)
+        for series in soon["series"]:
+            for target in series["time_to_error"]:
+                slow = 2e-3 if series["formulation"] == "conduction/brookshaw" else 3e-3
+                seconds = 1e-3 if series["walls"] == "off" else slow
+                target |= {"seconds": seconds, "median_seconds": seconds, "low_seconds": None, "high_seconds": None}
+                target["is_bound"] = False
+        maker.write("soon.json", soon)
+        cls.laws = with_laws(copy.deepcopy(cls.cards))
+        maker.write("laws.json", cls.laws)
+        cls.scale = cls.laws["runs"][0]["errors"]["temperature"]["all"]["scale"]["l2"]
+        maker.study(LAYOUTS, "layouts.json")
+        for name in ["cards", "soon", "laws", "layouts"]:
+            maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
 
@@ -269,7 +348,8 @@ class PageTest(program.ProgramTest):
         rows = "div[aria-label='%s'] table" % title
         heads = [head.get_attribute("textContent") for head in self.all(f"{rows} thead th")]
         k = heads.index(column) + 1
-        return [cell.get_attribute("textContent") for cell in self.all(f"{rows} tbody tr > :nth-child({k})")]
+        cells = self.all(f"{rows} tbody tr:not(.group) > :nth-child({k})")
+        return [cell.get_attribute("textContent") for cell in cells]
 
     def assert_silent(self):
         severe = [line for line in self.driver.get_log("browser") if line["level"] != "INFO"]
@@ -377,7 +457,7 @@ class PageTest(program.ProgramTest):
         self.open("settings.html")
         settings = self.cells("Verdict on conduction/slab-dirichlet", "setting")
         self.assertTrue(all(settings), settings)
-        self.assertRegex(settings[0], r"^1%(, smallest error)?: lattice0\.1%(, smallest error)?: jittered 0\.1$")
+        self.assertRegex(settings[0], r"^1%(, smallest error)?: lattice0\.1%(, smallest error)?: jitter 0\.1$")
         for table in self.all(".verdict .scroll"):
             self.assertLessEqual(*(int(table.get_property(key)) for key in ("scrollWidth", "clientWidth")))
 
@@ -417,14 +497,163 @@ class PageTest(program.ProgramTest):
                     continue
                 name = series["label"].split("/")[1]
                 best[name] = min(best.get(name, float("inf")), target["median_seconds"])
-        heads = self.all("article.verdict:first-of-type tbody th")
-        ranked = [head.get_attribute("textContent") for head in heads]
+        rows = "section.summary article.verdict:not(.across)"
+        card = self.all(rows)[0]
+        names = lambda body: [  # noqa: E731
+            head.get_attribute("textContent") for head in card.find_elements(By.CSS_SELECTOR, f"{body} th[scope=row]")
+        ]
+        ranked = names("tbody:not(.controls)")
+        best = {name: seconds for name, seconds in best.items() if not name.endswith("(walls off)")}
         self.assertEqual(ranked[: len(best)], sorted(best, key=best.get))
-        self.assertEqual(len(ranked), 4)
-        sentences = self.one("article.verdict:first-of-type .sentences").text
+        self.assertEqual(sorted(ranked), ["brookshaw", "campbell-flux"])
+        self.assertEqual(sorted(names("tbody.controls")), [f"{name} (walls off)" for name in sorted(ranked)])
+        sentences = card.find_element(By.CSS_SELECTOR, ".sentences").text
         self.assertIn(ranked[0], sentences.split("\n")[0])
-        self.assertIn("Avoid: campbell-flux (walls off): fails on 2 of 2 ladders", sentences)
-        self.assertEqual(len(self.all("article.verdict:first-of-type tr.failed")), 1)
+        self.assertRegex(sentences, r"For comparison only\. .*campbell-flux \(walls off\): .*fails on 2 of 2 ladders")
+        self.assertEqual(len(card.find_elements(By.CSS_SELECTOR, "tr.failed")), 1)
+
+    def card_sentences(self):
+        card = self.all("section.summary article.verdict:not(.across)")[0]
+        return card.find_element(By.CSS_SELECTOR, ".sentences").text.split("\n")
+
+    def test_controls_never_win_a_headline(self):
+        self.open("soon.html")
+        lines = self.card_sentences()
+        self.assertRegex(lines[0], r"^Soonest to 1%: brookshaw, 2 ms ")
+        self.assertEqual([line for line in lines if "walls off" in line], [lines[-1]])
+        self.assertTrue(lines[-1].startswith("For comparison only. "), lines[-1])
+        self.assertEqual(self.verdict_cells("times the soonest"), ["1", "1.50", "0.50", "0.50"])
+        body = "article.verdict:not(.across) tbody.controls th[scope=row]"
+        controls = sorted(head.get_attribute("textContent") for head in self.all(body))
+        self.assertEqual(controls, ["brookshaw (walls off)", "lucy-flux (walls off)"])
+
+    def test_cards_say_wall_flux_conservation_and_stability(self):
+        self.open("cards.html")
+        names = self.verdict_cells("formulation")
+        self.assertEqual(sorted(names), sorted(map(name_of, self.cards["series"])))
+        kept = 0
+        for k, name in enumerate(names):
+            series = next(s for s in self.cards["series"] if name_of(s) == name)
+            run = max((self.cards["runs"][i] for i in series["runs"]), key=lambda r: r["resolution"])
+            cell = lambda column: self.verdict_cells(column)[k]  # noqa: E731, B023
+            flux = max(abs(w["error"]) / w["scale"] for w in run["wall_flux"])
+            self.assertAlmostEqual(float(cell("wall flux error")[:-1]) / flux, 100, delta=5)
+            energy = run["conservation"]["energy"]
+            drift = abs(energy["drift"]) / max(abs(energy["initial"]), abs(energy["final"]))
+            shown = cell("energy drift")
+            kept += shown == "rounding"
+            if shown == "rounding":
+                self.assertLess(drift, 1e-12)
+            else:
+                self.assertEqual(shown, three_digits(drift))
+            self.assertEqual(cell("growing modes"), str(run["stability"]["growing_modes"]))
+            error = entry_of(series)["levels"][-1]["error"] / run["errors"]["temperature"]["all"]["scale"]["l2"]
+            self.assertAlmostEqual(float(cell("smallest error")[:-1]) / error, 100, delta=5)
+        self.assertLess(kept, len(names))
+        # What stands first is said of, too.
+        beside = next(line for line in self.card_sentences() if line.startswith(f"{names[0]} there: "))
+        self.assertIn(f"wall flux off by {self.verdict_cells('wall flux error')[0]}", beside)
+        self.assertIn("energy kept", beside)
+        self.assertIn("no mode grows", beside)
+        self.assert_silent()
+
+    def scales_of(self, section, points):
+        """Pixels over logarithms of both axes, from dots of a section's first plot whose values are known."""
+        text = "return [...document.querySelectorAll(arguments[0])].map(e => e.transform.baseVal.length ?"
+        text += "[e.transform.baseVal[0].matrix.e, e.transform.baseVal[0].matrix.f] :"
+        text += "[e.cx.baseVal.value, e.cy.baseVal.value])"
+        places = self.script(text, f"section.{section} figure:first-child g[aria-label=dot] :is(circle, path)")
+        self.assertEqual(len(places), len(points))
+        # The higher the value, the smaller its pixel.
+        scales = []
+        for axis, sign in [(0, 1), (1, -1)]:
+            values = sorted(math.log(point[axis]) for point in points)
+            pixels = sorted((place[axis] for place in places), reverse=sign < 0)
+            slope = (pixels[-1] - pixels[0]) / (values[-1] - values[0])
+            scales.append(lambda v, a=pixels[0], b=slope, c=values[0]: a + b * (math.log(v) - c))
+            for value, pixel in zip(values, pixels):
+                self.assertAlmostEqual(scales[-1](math.exp(value)), pixel, delta=0.5)
+        return scales
+
+    def path_points(self, section, description):
+        paths = self.all(f"section.{section} figure:first-child g[aria-description='{description}'] path")
+        self.assertEqual(len(paths), 1, description)
+        numbers = re.findall(r"-?[0-9.]+", paths[0].get_attribute("d"))
+        return list(zip(map(float, numbers[::2]), map(float, numbers[1::2])))
+
+    def test_draws_the_fitted_law_the_floor_and_the_interval_of_the_order(self):
+        self.open("laws.html")
+        levels = [
+            (level["resolution"], level["error"] / self.scale)
+            for series in self.laws["series"]
+            for level in entry_of(series)["levels"]
+        ]
+        x, y = self.scales_of("convergence", levels)
+        curve = self.path_points("convergence", "fitted law")
+        self.assertGreater(len(curve), 20)
+        self.assertAlmostEqual(curve[0][0], x(10), delta=0.5)
+        self.assertAlmostEqual(curve[-1][0], x(80), delta=0.5)
+        for n in [10, 20, 40, 80]:
+            nearest = min(curve, key=lambda p: abs(p[0] - x(n)))
+            self.assertAlmostEqual(nearest[1], y(law_at(40 / n) / self.scale), delta=4, msg=n)
+        self.assertAlmostEqual(curve[0][1], y(law_at(4) / self.scale), delta=0.6)
+        self.assertAlmostEqual(curve[-1][1], y(law_at(0.5) / self.scale), delta=0.6)
+        # From the finest level on, between the ends of the interval.
+        fan = self.path_points("convergence", "interval of the order")
+        self.assertAlmostEqual(min(p[0] for p in fan), x(40), delta=0.5)
+        ends = sorted(p[1] for p in fan if p[0] > x(80) - 0.5)
+        for pixel, exponent in [(ends[0], 1.2), (ends[-1], 1.9)]:
+            self.assertAlmostEqual(pixel, y(law_at(0.5, exponent) / self.scale), delta=0.6)
+        floors = sorted(self.marks("convergence", "floor", "line", "y1"))
+        self.assertEqual(len(floors), 2)
+        for pixel, value in zip(floors, [3e-2, 2e-3]):
+            self.assertAlmostEqual(pixel, y(value / self.scale), delta=0.6)
+        bands = sorted(zip(*(self.marks("convergence", "interval of the floor", "rect", k) for k in ("y", "height"))))
+        for (top, height), (low, high) in zip(bands, [(2e-2, 4e-2), (1e-3, 4e-3)], strict=True):
+            self.assertAlmostEqual(top, y(high / self.scale), delta=0.6)
+            self.assertAlmostEqual(top + height, y(low / self.scale), delta=0.6)
+        hint = self.one("section.convergence .hint").text
+        for word in ["law", "Fans", "floor"]:
+            self.assertIn(word, hint)
+        # Documents without laws say nothing of them.
+        self.open("heat.html")
+        self.assertEqual(self.all("g[aria-description='floor'] line"), [])
+        self.assert_silent()
+
+    def test_hover_texts_and_tables_say_model_floor_and_where_one_percent_is_reached(self):
+        self.open("laws.html")
+        self.assertEqual(self.cells("Ladders", "formulation"), [name_of(s) for s in self.laws["series"]])
+        over = lambda v: f"{float(format(100 * v / self.scale, '.2g')):g}%"  # noqa: E731
+        floor = f"{over(2e-3)} [{over(1e-3)}, {over(4e-3)}]"
+        other = f"{over(3e-2)} [{over(2e-2)}, {over(4e-2)}]"
+        for column, texts in {
+            "model": ["–", "none", "power on a floor", "–"],
+            "floor [95%]": ["not known", other, floor, "not known"],
+            "N to 1%": ["not known", "not known", "N = 34", "not known"],
+            "N to 0.1%": ["not known", "not known", "never: the floor is higher", "not known"],
+            "because": ["made up"] * 4,
+        }.items():
+            self.assertEqual(self.cells("Ladders", column), texts, column)
+        dots = self.all("section.convergence figure:first-child g[aria-label=dot] :is(circle, path)")
+        self.script("arguments[0].scrollIntoView({block: 'center'})", dots[0])
+        tips = set()
+        for dot in dots:
+            webdriver.ActionChains(self.driver).move_to_element(dot).perform()
+            tip = self.all("section.convergence figure:first-child g[aria-label=tip] text")
+            # Lines are told apart by spaces without width.
+            tips |= {node.get_attribute("textContent").replace("\u200b", " ") for node in tip}
+        law = [tip for tip in tips if "power on a floor" in tip]
+        self.assertTrue(law, tips)
+        self.assertTrue(all(floor in tip and "1%: N = 34" in tip for tip in law), law)
+        self.assertTrue(all("1.50 [1.20, 1.90]" in tip for tip in law), law)
+
+    def test_headings_name_their_quantities_and_tell_settings_apart(self):
+        self.open("layouts.html")
+        captions = [node.text for node in self.all("section.convergence figcaption")]
+        ratios = ["1.2", "1.2 (N/12)^0.5", "1.5", "1.5 (N/12)^0.5"]
+        self.assertEqual(sorted(captions), [f"clumped {a} · h/dx {r}" for a in ["0.2", "0.4"] for r in ratios])
+        self.choose("h/dx", "1.5 (N/12)^0.5")
+        self.assertEqual(len(self.all("section.convergence figure")), 2)
 
     def test_forms_of_different_equations_are_not_ranked_together(self):
         self.open("rates.html")
@@ -524,7 +753,7 @@ class PageTest(program.ProgramTest):
             self.assert_drawn_at([math.log(mode["wavelength"]) for mode in modes], [x for x, _ in places])
             self.assert_drawn_at([-mode["wall_share"] for mode in modes], [y for _, y in places])
         self.assertEqual(
-            self.cells("Worst modes", "growing modes"), [str(s["growing_modes"] or 0) for s in stabilities]
+            self.cells("Worst modes", "growing modes"), [str(s["growing_modes"]) for s in stabilities]
         )
         for column, key in [("growth [1/s]", "growth"), ("wavelength [dx]", "wavelength")]:
             for cell, s in zip(self.cells("Worst modes", column), stabilities, strict=True):
@@ -540,6 +769,11 @@ class PageTest(program.ProgramTest):
 
     def test_modes_that_are_not_known_are_not_said_to_decay(self):
         self.open("unknown.html")
+        growing = [run["stability"]["growing_modes"] for run in self.finest_runs(self.unknown)]
+        worst = [run["stability"]["worst_mode"] for run in self.finest_runs(self.unknown)]
+        words = [str(n) if n is not None else "at least 1" if m else "not known" for n, m in zip(growing, worst)]
+        self.assertEqual(set(words), {"not known", "at least 1", "0"} & set(words) | {"not known"})
+        self.assertEqual(self.cells("Worst modes", "growing modes"), words)
         brookshaw, campbell = self.all("section.modes .sentences li")
         self.assertEqual(brookshaw.text, "brookshaw: not known: too many unknowns.")
         self.assertEqual(brookshaw.get_attribute("class"), "")
@@ -638,13 +872,13 @@ class PageTest(program.ProgramTest):
         self.assertEqual(self.verdict_cells("formulation"), ["brookshaw", "lucy-flux"])
         self.assertEqual(self.verdict_cells("time to 1%"), ["10 ms", "10.5 ms"])
         # 0.0099/0.011 and 0.012/0.009: 1 lies between.
-        self.assertEqual(self.verdict_cells("ratio"), ["1", "≈ 1.05 [0.90, 1.33]"])
+        self.assertEqual(self.verdict_cells("times the soonest"), ["1", "≈ 1.05 [0.90, 1.33]"])
         self.assertEqual(self.verdict_cells("time to 0.1%"), ["100 ms", "300 ms"])
-        self.assertEqual(self.verdict_cells("ratio at 0.1%"), ["1", "3.00 [2.70, 3.40]"])
+        self.assertEqual(self.verdict_cells("times the soonest to 0.1%"), ["1", "3.00 [2.70, 3.40]"])
         text = self.one("article.verdict").text
         self.assertIn("Run times do not tell it from lucy-flux (1.05 times as long).", text)
         self.assertIn("Soonest to 1%, as far as can be told: brookshaw, 10 ms", text)
-        self.assertIn("≈: run times do not tell it from the fastest.", text)
+        self.assertIn("≈: run times do not tell it from the soonest.", text)
         self.assertNotIn("Next:", text)
         cells = ["10 ms [9 ms, 11 ms]", "10.5 ms [9.9 ms, 12 ms]"]
         self.assertEqual(self.cells("Ladders", "time to 1% (all)"), cells)
@@ -653,7 +887,7 @@ class PageTest(program.ProgramTest):
         self.open("heat.html")
         self.assertEqual(self.count("cost", "g[aria-description='interval of the run time']"), 0)
         self.assertNotIn("95% interval", self.one("section.cost .hint").text)
-        ratios = self.verdict_cells("ratio")
+        ratios = self.verdict_cells("times the soonest")
         self.assertEqual(ratios[0], "1")
         self.assertFalse(any("[" in text or "≈" in text for text in ratios))
 
@@ -823,7 +1057,9 @@ class PageTest(program.ProgramTest):
         facts = self.one(".context dl").text
         for key in ["version", "commit", "compiler", "processor"]:
             self.assertIn(self.heat["context"][key], facts)
-        self.assertIn(f"{len(self.heat['runs'])} runs", facts)
+        failed = sum(run["status"] != "ok" for run in self.heat["runs"])
+        line = f"{len(self.heat['runs'])} runs in {len(self.heat['series'])} ladders, {failed} failed"
+        self.assertIn(line, self.one("article.document > .parameters").text)
 
     def test_drawing_takes_little_time(self):
         # Printed, not judged: timings never decide a test.

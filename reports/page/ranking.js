@@ -1,0 +1,93 @@
+// How the formulations of one case stand to each other. All from the rows that `sphverify compare` shows too: l1
+// where the solution jumps, l2 elsewhere, all particles.
+
+// A formulation whose smallest error is as many times the best one's is one to avoid, if none is timed to 1%.
+const farBehind = 10;
+
+const isBroken = (s) => s.row.failures !== "" || s.row.verdict === "diverging";
+
+// The formulations, the best first, and apart from these the controls, which are shown beside them and never win.
+function rankFormulations(one) {
+  const all = [...d3.group(one.series, (s) => s.name)].map(([name, series]) => rankOf(name, series));
+  const formulations = all.filter((r) => !r.isControl);
+  for (const target of ["percent", "permille"]) {
+    const times = formulations.map((r) => r[target].time).filter((time) => time.seconds !== null);
+    const fastest = d3.least(times, (time) => time.seconds) ?? null;
+    for (const r of all) r[target].ratio = ratioOf(r[target].time, fastest);
+  }
+  // Those that reach 1% by time, then the others by error, then those that only fail.
+  const none = (value) => value ?? Infinity;
+  const before = (a, b) =>
+    none(a.percent.time.seconds) - none(b.percent.time.seconds) ||
+    none(a.error) - none(b.error) ||
+    a.broken / a.ladders - b.broken / b.ladders ||
+    0;
+  return {
+    formulations: formulations.sort(before),
+    controls: all.filter((r) => r.isControl).sort(before),
+  };
+}
+
+function rankOf(name, series) {
+  // A ladder that diverges may pass below 1% on its way up: that is no merit.
+  const sound = series.filter((s) => !isBroken(s));
+  const held = sound.length ? sound : series.filter((s) => s.row.failures === "");
+  const percent = soonestOf(sound, "toPercent");
+  const nearest = d3.least(
+    held.filter((s) => errorOf(s) !== null),
+    errorOf,
+  );
+  return {
+    name,
+    isControl: series[0].isControl,
+    best: percent.best ?? nearest ?? series[0],
+    nearest: nearest ?? null,
+    percent,
+    permille: soonestOf(sound, "toPermille"),
+    error: nearest ? errorOf(nearest) : null,
+    isRelative: nearest ? nearest.row.relative_error !== null : false,
+    ladders: series.length,
+    failing: series.filter((s) => s.row.failures !== ""),
+    diverging: series.filter((s) => s.row.failures === "" && s.row.verdict === "diverging"),
+    broken: series.filter(isBroken).length,
+  };
+}
+
+// The ladder that gets below an error first, its time, and how many get there.
+function soonestOf(series, target) {
+  const reaching = series.filter((s) => s.row[target].seconds !== null);
+  const best = d3.least(reaching, (s) => s.row[target].seconds) ?? null;
+  const never = { seconds: null, low: null, high: null, isBound: false };
+  return { best, reached: reaching.length, time: best ? best.row[target] : never };
+}
+
+// A time over the fastest. The ends of the two intervals, divided crosswise, hold the ratio where each interval
+// holds its median; a ratio that may be 1 does not tell the two apart.
+function ratioOf(time, fastest) {
+  if (time.seconds === null || fastest === null) return null;
+  const isFastest = time === fastest;
+  const isKnown = [time.low, time.high, fastest.low, fastest.high].every((end) => end > 0);
+  const [low, high] = isKnown ? [time.low / fastest.high, time.high / fastest.low] : [null, null];
+  const isBound = time.isBound || fastest.isBound;
+  return {
+    value: time.seconds / fastest.seconds,
+    low,
+    high,
+    isFastest,
+    isAlike: isKnown && !isFastest && !isBound && low <= 1 && high >= 1,
+    // What that leaves of the ratio where a time is an upper bound.
+    isAtMost: time.isBound,
+    isAtLeast: fastest.isBound,
+  };
+}
+
+function errorOf(s) {
+  return s.row.relative_error ?? s.row.error;
+}
+
+// What all of some series have in common and not all others: "density summation".
+function commonSettings(some, all) {
+  const keys = varyingSettings(all).filter((key) => new Set(some.map((s) => s.settings[key])).size === 1);
+  return keys.length ? settingText(some[0], keys) : "";
+}
+

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/support/parameters.hpp"
+#include "reports/error_surface.hpp"
 
 namespace sphverify {
 
@@ -321,6 +322,15 @@ struct Series {
   std::vector<TimeToError> time_to_error;
 };
 
+/// Runs that differ only in resolution and h/dx (and in the seed of a layout that is drawn by lot).
+struct Surface {
+  std::string case_id, label;
+  std::map<std::string, ParameterValue> parameters;
+  FormulationChoice formulation;
+  Discretisation discretisation;  ///< of the first run; its h/dx means nothing
+  ErrorSurface error;
+};
+
 struct Skipped {
   std::string case_id, formulation, reason;
 };
@@ -348,6 +358,7 @@ struct Results {
   std::string study;  ///< JSON text
   std::vector<RunRecord> runs;
   std::vector<Series> series;
+  std::vector<Surface> surfaces;
   std::vector<Skipped> skipped;
   std::vector<Envelope> envelopes;
 };

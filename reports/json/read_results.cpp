@@ -1,6 +1,7 @@
 #include <limits>
 
 #include "reports/json/results_json.hpp"
+#include "reports/json/surface_json.hpp"
 #include "reports/run_statuses.hpp"
 
 namespace sphverify {
@@ -19,6 +20,8 @@ Number optional_number(Node const& node) { return node.is_null() ? Number() : Nu
 std::string optional_string(Node const& node) { return node.is_null() ? "" : node.string(); }
 
 std::uint64_t count(Node const& node) { return static_cast<std::uint64_t>(node.integer(0, any_count)); }
+
+}  // namespace
 
 std::map<std::string, ParameterValue> read_parameters(Node const& node) {
   std::map<std::string, ParameterValue> parameters;
@@ -72,6 +75,8 @@ Discretisation read_discretisation(Node const& node) {
   }
   return d;
 }
+
+namespace {
 
 NormSet read_norms(Node const& node) {
   return {measured(node.at("l1")), measured(node.at("l2")), measured(node.at("linf"))};
@@ -389,6 +394,9 @@ Results read_results(std::string const& path) {
     for (std::size_t const run : results.series.back().runs) {
       if (run >= results.runs.size()) series.at("runs").complain("indices of runs in this document");
     }
+  }
+  if (auto const surfaces = node.find("surfaces")) {
+    for (Node const& surface : surfaces->elements()) results.surfaces.push_back(read_surface(surface));
   }
   for (Node const& s : node.at("skipped").elements()) {
     results.skipped.push_back({s.at("case").string(), s.at("formulation").string(), s.at("reason").string()});

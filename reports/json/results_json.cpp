@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "reports/json/surface_json.hpp"
+
 namespace sphverify {
 
 namespace {
@@ -18,19 +20,6 @@ Json numbers(std::vector<double> const& values) {
 
 Json to_json(NormSet const& norms) {
   return {{"l1", number(norms.l1)}, {"l2", number(norms.l2)}, {"linf", number(norms.linf)}};
-}
-
-Json to_json(Discretisation const& d) {
-  return {{"kernel", d.kernel},
-          {"density", d.density},
-          {"smoothing_ratio", d.smoothing_ratio},
-          {"layout", to_json(d.layout)},
-          {"face_weight", d.face_weight},
-          {"closure", d.closure},
-          {"integrator", d.integrator},
-          {"smoothing", d.smoothing},
-          {"wall_motion", d.wall_motion},
-          {"viscosity", to_json(d.viscosity)}};
 }
 
 Json errors_json(std::map<std::string, FieldErrors> const& errors) {
@@ -205,13 +194,6 @@ Json to_json(OrderEntry const& e) {
   return json;
 }
 
-void put_formulation(Json& json, FormulationChoice const& f) {
-  json["formulation"] = f.id;
-  json["work"] = f.work.empty() ? Json(nullptr) : Json(f.work);
-  json["conduction"] = f.conduction.empty() ? Json(nullptr) : Json(f.conduction);
-  json["walls"] = f.walls ? "on" : "off";
-}
-
 Json to_json(Envelope const& e) {
   Json json = {{"case", e.case_id}, {"parameters", parameters_json(e.parameters)}};
   put_formulation(json, e.formulation);
@@ -257,6 +239,26 @@ Json to_json(Series const& s) {
 }
 
 }  // namespace
+
+Json to_json(Discretisation const& d) {
+  return {{"kernel", d.kernel},
+          {"density", d.density},
+          {"smoothing_ratio", d.smoothing_ratio},
+          {"layout", to_json(d.layout)},
+          {"face_weight", d.face_weight},
+          {"closure", d.closure},
+          {"integrator", d.integrator},
+          {"smoothing", d.smoothing},
+          {"wall_motion", d.wall_motion},
+          {"viscosity", to_json(d.viscosity)}};
+}
+
+void put_formulation(Json& json, FormulationChoice const& f) {
+  json["formulation"] = f.id;
+  json["work"] = f.work.empty() ? Json(nullptr) : Json(f.work);
+  json["conduction"] = f.conduction.empty() ? Json(nullptr) : Json(f.conduction);
+  json["walls"] = f.walls ? "on" : "off";
+}
 
 Json to_json(ObservedOrder const& o) {
   Json pairwise = Json::array();
@@ -385,6 +387,10 @@ Json to_json(Results const& results) {
   for (RunRecord const& run : results.runs) json["runs"].push_back(to_json(run));
   json["series"] = Json::array();
   for (Series const& series : results.series) json["series"].push_back(to_json(series));
+  if (!results.surfaces.empty()) {
+    json["surfaces"] = Json::array();
+    for (Surface const& surface : results.surfaces) json["surfaces"].push_back(to_json(surface));
+  }
   json["skipped"] = Json::array();
   for (Skipped const& s : results.skipped) {
     json["skipped"].push_back({{"case", s.case_id}, {"formulation", s.formulation}, {"reason", s.reason}});

@@ -14,10 +14,17 @@ Json to_json(ObservedOrder const& order);
 Json to_json(Context const& context);
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters);
 Json to_json(FormulationChoice const& formulation);
+/// The formulation, its partners and whether walls act, as keys of an object.
+void put_formulation(Json& json, FormulationChoice const& formulation);
+Json to_json(Discretisation const& discretisation);
 Json to_json(LayoutChoice const& layout);
 Json to_json(ViscosityChoice const& viscosity);
 
-/// Reads back what `to_json` wrote. Throws UserError for anything else.
+/// Reads back what `to_json` wrote (and `put_formulation`, from the same object). Throws UserError for
+/// anything else.
+std::map<std::string, ParameterValue> read_parameters(Node const& node);
+FormulationChoice read_formulation(Node const& node);
+Discretisation read_discretisation(Node const& node);
 RunRecord read_run(Node const& node);
 Results read_results(std::string const& path);
 

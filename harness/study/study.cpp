@@ -100,7 +100,7 @@ StudyCase read_case(Node const& node) {
   return choice;
 }
 
-FormulationChoice read_formulation(Node const& node) {
+FormulationChoice read_study_formulation(Node const& node) {
   FormulationChoice f;
   bool const bare = node.is_string();
   if (!bare) node.require_keys({"id", "walls", "work", "conduction"});
@@ -345,7 +345,7 @@ Study read_study(Node const& document) {
     study.cases.push_back(one);
   }
   for (Node const& node : document.at("formulations").one_or_many()) {
-    FormulationChoice const f = read_formulation(node);
+    FormulationChoice const f = read_study_formulation(node);
     if (std::find(study.formulations.begin(), study.formulations.end(), f) != study.formulations.end()) {
       node.complain("every formulation only once");
     }

@@ -20,5 +20,6 @@ void add_gate(CLI::App& app);
 void add_report(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_exact(CLI::App& app);
+void add_order(CLI::App& app);
 
 }  // namespace sphverify

@@ -60,6 +60,7 @@ int main(int argc, char** argv) {
   add_report(app);
   add_evaluate(app);
   add_exact(app);
+  add_order(app);
 
   try {
     require_known_command(app, argc, argv);

@@ -1,171 +1,314 @@
 #include "harness/measure/order.hpp"
 
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_fit.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "harness/measure/error_law.hpp"
 
 namespace sphverify {
 
 std::string_view const verdict_rules =
-    R"(order      slope of log(mean error) over log(spacing), least squares on the true spacings
-interval   95%, Student's t on the fit's residuals; with several seeds also from their spread: the
-           wider one is given. Two levels give an order without an interval.
-left out   levels whose error is at the run's `round_off`: they say nothing of the order
+    R"(order      p of the laws A d^p, A d^p (1 + c d), A d^p (1 + c d^2), F + A d^p and A d^p with
+           alternating levels: each counts by how well it explains the levels (Bayes' rule,
+           docs/decisions/0009); null where they cannot tell it to 1 or to half of itself
+interval   of p, all laws together: holds the truth in 95% of ladders or more. Two levels give an
+           order without an interval
+floor      F with its interval, where the levels tell that there is one
+targets    the N at which the likeliest law comes down to an error, or that it never does
+left out   levels whose error is at the run's `round_off`, and those before the signed error last
+           passed through zero: they say nothing of the order
 not-refined    fewer than three spacings, a finest level that ran out of time, or an error that does
                not change at all (below 1 part in 1e6)
-asymptotic     the interval excludes 0, the last two pairwise orders agree within 0.3, and the
-               last is at least 0.8 of their mean (it fades on the way to a floor); with orders
-               of 0.1 to 0.25: pre-asymptotic
-diverging      a run of the finest level broke, or the last step raised the error (pairwise
-               order < -0.25) in a ladder whose fitted order is not positive
-floored        the last step changed the error little (pairwise order between -0.25 and 0.25)
-               after steps that changed it as little or, one by one, less and less; or the error
-               reached round-off
-pre-asymptotic anything else
-at a jump      the solution allows at most order 1 in l1 and 1/2 in l2 (`allowed`); linf cannot
-               go down: floored)";
+floored        the error reached round-off; or most of the finest error is a floor, at 95%
+               confidence; or the order at the finest level is surely below 1/4 (of what the
+               solution allows, if that is less than 1) either way
+diverging      a run of the finest level broke; or the order at the finest level is surely
+               negative; or the finest error is by far the largest
+asymptotic     at least four levels, an order known to 0.1 or a quarter of itself, which is what the
+               finest levels show (within a fifth), is surely positive and not surely above
+               what the solution allows, and no floor that holds half of the finest error
+pre-asymptotic anything else; the reason says which
+allowed        the highest order that the solution allows in this norm and region: docs/measures.md
+time           where errors in time may be a tenth of these errors or more, the reason says so)";
 
 namespace {
 
+// Of the statements one by one, so that 95% of them hold in every family of ladders that was tried.
+constexpr double confidence = 0.98;
+constexpr double floor_confidence = 0.99;
 constexpr double plateau_order = 0.25;
-constexpr double slow_order = 0.1;
-constexpr double agreement = 0.3;
-constexpr double fading = 0.8;
+constexpr double known_absolutely = 0.1, known_relatively = 0.25;
+constexpr double told_absolutely = 1.0, told_relatively = 0.5;
+constexpr double settled = 0.2;
+constexpr double sure = 0.95;
+constexpr double floor_told = 0.97;
+constexpr double least_floor_share = 0.05;
 constexpr double unchanged = 1e-6;
-
-struct Point {
-  double log_spacing;
-  double log_error;
-  double variance;  ///< of log_error, from the replicates; NaN where there are none
-  std::size_t replicates;
-};
+constexpr double far_largest = 1.5;
+constexpr double signed_part = 0.3;
+constexpr double above_allowed = 0.1;
+constexpr double time_remark = 0.1;
+constexpr std::size_t least_levels = 4, least_levels_alternating = 6;
+constexpr double largest_scatter = 0.4;  // of log(error)
+constexpr double chance_scatter = 3e-3;  // of log(error)
+constexpr double farthest = 1e6;
 
 double mean(std::vector<double> const& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-Point point_of(LadderLevel const& level) {
+LevelError level_error(LadderLevel const& level) {
   double const average = mean(level.errors);
-  std::size_t const n = level.errors.size();
-  double variance = std::numeric_limits<double>::quiet_NaN();
-  if (n > 1) {
-    double sum = 0.0;
-    for (double const e : level.errors) sum += (e - average) * (e - average);
-    // Of the mean, carried over to its logarithm.
-    variance = sum / static_cast<double>(n - 1) / static_cast<double>(n) / (average * average);
-  }
-  return {std::log(level.spacing), std::log(average), variance, n};
+  double squares = 0.0;
+  for (double const e : level.errors) squares += (e / average - 1.0) * (e / average - 1.0);
+  return {level.spacing, average, static_cast<int>(level.errors.size()), squares};
 }
 
-double student_quantile(double degrees_of_freedom) { return gsl_cdf_tdist_Pinv(0.975, degrees_of_freedom); }
-
-/// Half width of the slope's 95% interval from the replicates' spread; 0 where no level has replicates.
-double spread_half_width(std::vector<Point> const& points, double mean_x, double sum_xx) {
-  double variance = 0.0;
-  double degrees = 0.0;
-  for (Point const& p : points) {
-    if (std::isnan(p.variance)) continue;
-    double const weight = (p.log_spacing - mean_x) / sum_xx;
-    variance += weight * weight * p.variance;
-    degrees += static_cast<double>(p.replicates - 1);
+/// A place between levels at which the signed error changes sign while it is a good part of the error.
+std::size_t last_sign_change(std::vector<LadderLevel const*> const& levels) {
+  std::size_t last = 0;
+  auto const part = [](LadderLevel const& level) { return std::abs(*level.mean) / mean(level.errors); };
+  for (std::size_t k = 1; k < levels.size(); ++k) {
+    if (!levels[k]->mean || !levels[k - 1]->mean) continue;
+    bool const changes = (*levels[k]->mean < 0.0) != (*levels[k - 1]->mean < 0.0);
+    if (changes && std::max(part(*levels[k]), part(*levels[k - 1])) >= signed_part) last = k;
   }
-  return degrees > 0.0 ? student_quantile(degrees) * std::sqrt(variance) : 0.0;
+  return last;
 }
 
-void fit(std::vector<Point> const& points, ObservedOrder& observed) {
-  std::vector<double> x, y;
-  for (Point const& p : points) {
-    x.push_back(p.log_spacing);
-    y.push_back(p.log_error);
-  }
-  double intercept, slope, cov00, cov01, cov11, residual;
-  gsl_fit_linear(x.data(), 1, y.data(), 1, x.size(), &intercept, &slope, &cov00, &cov01, &cov11, &residual);
-  observed.order = slope;
-  if (points.size() < 3) return;
-  double const mean_x = mean(x);
-  double sum_xx = 0.0;
-  for (double const value : x) sum_xx += (value - mean_x) * (value - mean_x);
-  double const degrees = static_cast<double>(points.size() - 2);
-  double const half_width =
-      std::max(student_quantile(degrees) * std::sqrt(cov11), spread_half_width(points, mean_x, sum_xx));
-  observed.lower = slope - half_width;
-  observed.upper = slope + half_width;
-}
+/// What the laws say together.
+struct Knowledge {
+  NormalMixture order, local_order;
+  LawEvidence const* likeliest = nullptr;
+  LawEvidence const* floor = nullptr;
 
-/// Whether every step of refinement changed the error less than the one before, give or take the agreement of
-/// orders.
-bool orders_fade(std::vector<Number> const& pairwise) {
-  for (std::size_t k = 1; k < pairwise.size(); ++k) {
-    if (std::abs(*pairwise[k]) > std::abs(*pairwise[k - 1]) + agreement) return false;
+  explicit Knowledge(std::vector<LawEvidence> const& laws) {
+    for (LawEvidence const& law : laws) {
+      order.add(law.order, law.probability);
+      local_order.add(law.local_order, law.probability);
+      if (likeliest == nullptr || law.probability > likeliest->probability) likeliest = &law;
+      if (law.kind == LawKind::floor) floor = &law;
+    }
+  }
+
+  /// Probability that a floor holds more than a part of the finest error.
+  double floor_holds(double part) const {
+    return floor->probability * (1.0 - floor->floor_share.probability_below(part));
+  }
+};
+
+struct Interval {
+  double low, middle, high;
+  explicit Interval(NormalMixture const& m, double part = confidence)
+      : low(m.quantile(0.5 * (1.0 - part))), middle(m.quantile(0.5)), high(m.quantile(0.5 * (1.0 + part))) {}
+  double half_width() const { return 0.5 * (high - low); }
+};
+
+/// Whether every step goes the other way than the one before, and further than rounding.
+bool goes_up_and_down(std::vector<LevelError> const& levels) {
+  if (levels.size() < least_levels || levels.size() >= least_levels_alternating) return false;
+  for (std::size_t k = 2; k < levels.size(); ++k) {
+    double const step = std::log(levels[k].error / levels[k - 1].error);
+    double const before = std::log(levels[k - 1].error / levels[k - 2].error);
+    if (step * before >= 0.0 || std::min(std::abs(step), std::abs(before)) < largest_scatter) return false;
   }
   return true;
 }
 
-/// Whether the ladder goes down at one pace: the interval excludes 0, the last two pairwise orders agree, and
-/// the last is not much below their mean, as it would be on the way to a floor.
-bool is_steady(ObservedOrder const& observed) {
-  double sum = 0.0;
-  for (Number const& p : observed.pairwise) sum += *p;
-  double const mean_order = sum / static_cast<double>(observed.pairwise.size());
-  double const last = *observed.pairwise.back();
-  double const before = *observed.pairwise[observed.pairwise.size() - 2];
-  return observed.lower.value_or(0.0) > 0.0 && std::abs(last - before) <= agreement &&
-         last >= fading * mean_order;
+struct Judgement {
+  std::string verdict, reason;
+};
+
+/// The verdict on levels that a law could be fitted to.
+Judgement judge(std::vector<LevelError> const& levels, Knowledge const& known, Interval const& order,
+                Interval const& local, Number const& allowed) {
+  double const plateau = plateau_order * std::min(1.0, allowed.value_or(1.0));
+  double largest_before = 0.0;
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k)
+    largest_before = std::max(largest_before, levels[k].error);
+  if (levels.back().error > far_largest * largest_before)
+    return {"diverging", "the finest level has by far the largest error"};
+  bool const alternates = known.likeliest->kind == LawKind::alternation;
+  if (alternates && levels.size() < least_levels_alternating)
+    return {"pre-asymptotic",
+            "every other level is off by a factor: more levels, or other ratios of refinement"};
+  if (goes_up_and_down(levels)) {
+    return {"pre-asymptotic",
+            "the error goes up and down from level to level: more levels, or other ratios of refinement"};
+  }
+  if (double const scatter = known.likeliest->scatter; scatter > largest_scatter)
+    return {"pre-asymptotic",
+            fmt::format("the levels scatter by a factor of {:.1f} about any law", std::exp(scatter))};
+  bool const is_known = order.half_width() <= std::max(known_absolutely, known_relatively * order.middle);
+  bool const may_be_floor = known.floor_holds(0.5) > 1.0 - sure;
+  bool const is_settled = std::abs(local.middle - order.middle) <= settled * order.middle;
+  if (order.low > 0.0 && is_known && is_settled && !may_be_floor && order.middle < plateau)
+    return {"pre-asymptotic", "the error goes down steadily, but slowly"};
+  if (known.floor_holds(0.5) >= sure) return {"floored", "most of what is left is a floor"};
+  if (std::abs(local.low) < plateau && std::abs(local.high) < plateau)
+    return {"floored", "refinement changes the error little"};
+  if (local.high < 0.0) return {"diverging", "refinement raises the error"};
+  if (order.low <= 0.0) return {"pre-asymptotic", "the levels do not tell the order from 0"};
+  if (!is_known) {
+    return {"pre-asymptotic", known.floor->probability > 0.5
+                                  ? "on the way to a floor, of an order that is not known well yet"
+                                  : "the order is not known well yet"};
+  }
+  if (may_be_floor) return {"pre-asymptotic", "half of what is left may be a floor"};
+  if (!is_settled) {
+    return {"pre-asymptotic",
+            known.floor->probability > 0.5
+                ? fmt::format("on the way to a floor: order {:.2g} at the finest level", local.middle)
+                : fmt::format("the order still changes: {:.2g} at the finest level", local.middle)};
+  }
+  if (allowed && order.low > *allowed + above_allowed * std::max(1.0, *allowed)) {
+    return {
+        "pre-asymptotic",
+        fmt::format("falls faster than the solution allows (order {:.2g}): this will not last", *allowed)};
+  }
+  if (levels.size() < least_levels) return {"pre-asymptotic", "three levels: a verdict needs four"};
+  return {"asymptotic", alternates ? "both halves of the levels, taken in turn, follow one order"
+                                   : "the levels follow one order"};
 }
 
-void judge(std::vector<LadderLevel> const& levels, std::vector<Point> const& points,
-           ObservedOrder& observed) {
-  auto const say = [&](char const* verdict, char const* reason) {
-    observed.verdict = verdict;
-    observed.reason = reason;
+/// Whether the levels know how far they scatter about a floor: with one level to spare and no replicates, a
+/// law that goes through them may do so by chance.
+bool knows_scatter(std::vector<LevelError> const& levels, Knowledge const& known) {
+  bool const has_replicates =
+      std::any_of(levels.begin(), levels.end(), [](LevelError const& level) { return level.replicates > 1; });
+  return has_replicates || levels.size() > least_levels || known.floor->scatter < chance_scatter;
+}
+
+void describe(std::vector<LevelError> const& levels, Knowledge const& known, Interval const& order,
+              ObservedOrder& observed) {
+  bool const is_told =
+      order.half_width() <= std::max(told_absolutely, told_relatively * std::abs(order.middle));
+  if (is_told) {
+    observed.order = order.middle;
+    observed.lower = order.low;
+    observed.upper = order.high;
+  }
+  observed.model = name_of(known.likeliest->kind);
+  observed.law = known.likeliest->best;
+  if (knows_scatter(levels, known) && known.floor->probability >= floor_told &&
+      known.floor_holds(least_floor_share) >= floor_told) {
+    Interval const floor(known.floor->log_floor, floor_confidence);
+    observed.floor = ErrorFloor{std::exp(floor.middle), std::exp(floor.low), std::exp(floor.high)};
+  }
+}
+
+}  // namespace
+
+ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderContext const& context) {
+  ObservedOrder observed;
+  auto const say = [&](std::string verdict, std::string reason) {
+    observed.verdict = std::move(verdict);
+    observed.reason = std::move(reason);
+    return observed;
   };
+  std::vector<LadderLevel const*> used;
+  for (LadderLevel const& level : levels) {
+    if (!level.errors.empty() && mean(level.errors) > level.round_off) used.push_back(&level);
+  }
+  for (std::size_t k = 1; k < used.size(); ++k) {
+    observed.pairwise.push_back(std::log(mean(used[k]->errors) / mean(used[k - 1]->errors)) /
+                                std::log(used[k]->spacing / used[k - 1]->spacing));
+  }
+  std::size_t const sign_change = last_sign_change(used);
+  std::vector<LevelError> fitted;
+  for (std::size_t k = sign_change; k < used.size(); ++k) fitted.push_back(level_error(*used[k]));
+  bool const is_constant = [&] {
+    auto const [low, high] =
+        std::minmax_element(fitted.begin(), fitted.end(),
+                            [](LevelError const& a, LevelError const& b) { return a.error < b.error; });
+    return fitted.size() >= 2 && high->error <= low->error * (1.0 + unchanged);
+  }();
+  if (fitted.size() == 2 && sign_change == 0) observed.order = observed.pairwise.back();
+  std::vector<LawEvidence> laws;
+  std::optional<Knowledge> known;
+  std::optional<Interval> order, local;
+  if (fitted.size() >= 3 && !is_constant) {
+    laws = weigh_laws(fitted);
+    known.emplace(laws);
+    order.emplace(known->order);
+    local.emplace(known->local_order);
+    describe(fitted, *known, *order, observed);
+  }
+
   if (!levels.empty() && levels.back().errors.empty()) {
     if (levels.back().out_of_time) return say("not-refined", "the finest level ran out of time");
     return say("diverging", "the finest level has no error");
   }
   if (levels.size() < 3) return say("not-refined", "fewer than three spacings");
-  bool const ends_at_round_off = mean(levels.back().errors) <= levels.back().round_off;
-  if (ends_at_round_off) return say("floored", "the error reached round-off");
-  if (points.size() < 3) return say("not-refined", "fewer than three levels have an error above round-off");
-  auto const [low, high] = std::minmax_element(
-      points.begin(), points.end(), [](Point const& a, Point const& b) { return a.log_error < b.log_error; });
-  if (high->log_error - low->log_error < unchanged)
-    return say("not-refined", "refinement changes nothing at all");
-  double const last = observed.pairwise.back().value();
-  double const before = observed.pairwise[observed.pairwise.size() - 2].value();
-  if (is_steady(observed) && last >= slow_order) {
-    if (last >= plateau_order) return say("asymptotic", "the last pairwise orders agree and do not fade");
-    return say("pre-asymptotic", "the error goes down steadily, but slowly: order 0.1 to 0.25");
+  if (mean(levels.back().errors) <= levels.back().round_off)
+    return say("floored", "the error reached round-off");
+  std::string const crossing =
+      sign_change == 0 ? ""
+                       : fmt::format("the signed error passes through zero between levels {} and {}",
+                                     sign_change, sign_change + 1);
+  if (fitted.size() < 3) {
+    if (!crossing.empty()) return say("pre-asymptotic", crossing + ", which makes its norm dip there");
+    return say("not-refined", "fewer than three levels have an error above round-off");
   }
-  if (last < -plateau_order && *observed.order <= 0.0)
-    return say("diverging", "the last refinement raised the error");
-  if (std::abs(last) < plateau_order &&
-      (std::abs(before) < plateau_order || orders_fade(observed.pairwise))) {
-    return say("floored", "the last refinement changed the error little");
+  if (is_constant) return say("not-refined", "refinement changes nothing at all");
+  Judgement judgement = judge(fitted, *known, *order, *local, context.allowed);
+  if (!crossing.empty()) judgement.reason += "; " + crossing + ": levels before that are left out";
+  if (context.time_error_share.value_or(0.0) > time_remark) {
+    judgement.reason += fmt::format("; errors in time may be {:.0f}% of these",
+                                    std::min(999.0, 100.0 * *context.time_error_share));
   }
-  return say("pre-asymptotic", "the pairwise orders still change or fade, or the interval includes 0");
+  return say(judgement.verdict, judgement.reason);
 }
 
-}  // namespace
-
-ObservedOrder observed_order(std::vector<LadderLevel> const& levels) {
-  ObservedOrder observed;
-  std::vector<Point> points;
+LadderExtent extent_of(std::vector<LadderLevel> const& levels, double times_spacing) {
+  LadderExtent extent;
   for (LadderLevel const& level : levels) {
     if (level.errors.empty() || mean(level.errors) <= level.round_off) continue;
-    points.push_back(point_of(level));
+    double const resolution = times_spacing / level.spacing;
+    if (extent.coarsest == 0.0) extent.coarsest = resolution;
+    extent.finest = resolution;
   }
-  for (std::size_t k = 1; k < points.size(); ++k) {
-    observed.pairwise.push_back((points[k].log_error - points[k - 1].log_error) /
-                                (points[k].log_spacing - points[k - 1].log_spacing));
+  return extent;
+}
+
+TargetResolution resolution_for(ObservedOrder const& observed, double error, LadderExtent const& extent) {
+  TargetResolution target;
+  target.error = error;
+  if (observed.floor && observed.floor->lower > error) {
+    target.remark = "never: the floor is above it";
+    return target;
   }
-  if (points.size() >= 2) fit(points, observed);
-  judge(levels, points, observed);
-  return observed;
+  if (!observed.law || observed.law->exponent <= 0.0 || observed.verdict == "diverging") {
+    target.remark = "not known";
+    return target;
+  }
+  ErrorLaw const& law = *observed.law;
+  auto const at = [&](double resolution) {
+    double const d = extent.finest / resolution;
+    return law.floor + law.coefficient * std::pow(d, law.exponent) *
+                           (1.0 + law.next_coefficient * std::pow(d, law.next_exponent));
+  };
+  double low = extent.coarsest, high = farthest * extent.finest;
+  if (at(low) <= error) {
+    target.resolution = low;
+    target.remark = "the coarsest level has it";
+    return target;
+  }
+  if (at(high) > error) {
+    target.remark = law.floor > error ? "never: the fitted floor is above it"
+                                      : "not within a million times the finest resolution";
+    return target;
+  }
+  for (int k = 0; k < 60; ++k) {
+    double const middle = std::sqrt(low * high);
+    (at(middle) > error ? low : high) = middle;
+  }
+  target.resolution = high;
+  if (high > extent.finest * (1.0 + 1e-9)) target.remark = "beyond the levels that were run";
+  return target;
 }
 
 }  // namespace sphverify

@@ -16,6 +16,7 @@ namespace sphverify {
 namespace {
 
 constexpr std::array<double, 3> relative_targets{0.1, 0.01, 0.001};
+constexpr std::array<double, 2> resolution_targets{0.01, 0.001};  // whose N is looked for
 
 /// The kernel estimate is of second order; a jump, smeared over a length of the spacing's order, allows the
 /// order of its width's share in the norm.
@@ -80,13 +81,38 @@ Number standard_deviation(std::vector<double> const& values) {
   return std::sqrt(sum / (n - 1.0));
 }
 
+/// The exact field's norm, from the finest run that has one.
+Number exact_norm(Levels const& levels, OrderEntry const& entry, NormChoice const& norm) {
+  Number scale;
+  for (auto const& level : levels) {
+    for (RunRecord const* run : level) {
+      if (RegionError const* found = find_error(*run, entry.field, entry.region))
+        scale = found->scale.*norm.norm;
+    }
+  }
+  return scale;
+}
+
+void set_resolution_targets(Levels const& levels, std::vector<LadderLevel> const& ladder,
+                            NormChoice const& norm, OrderEntry& entry) {
+  Number const scale = exact_norm(levels, entry, norm);
+  LadderExtent const extent = extent_of(ladder, entry.levels.back().resolution * entry.levels.back().spacing);
+  if (!scale || !(*scale > 0.0) || extent.finest == 0.0) return;
+  for (double const relative : resolution_targets) {
+    entry.observed.targets.push_back(resolution_for(entry.observed, relative * *scale, extent));
+    entry.observed.targets.back().relative = relative;
+  }
+}
+
 OrderEntry measure_order(Levels const& levels, std::string const& field, std::string const& region,
                          NormChoice const& norm, double allowed) {
   OrderEntry entry{field, region, norm.name, allowed, {}, {}};
   std::vector<LadderLevel> ladder;
+  LadderContext context{allowed, std::nullopt};
   for (auto const& level : levels) {
     LadderLevel step{level.front()->spacing, {}, 0.0};
     std::vector<std::string> failures;
+    std::vector<double> means;
     for (RunRecord const* run : level) {
       RegionError const* error = find_error(*run, field, region);
       if (run->status != "ok" || error == nullptr) {
@@ -95,26 +121,34 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
       }
       step.errors.push_back(error->error.*norm.norm);
       step.round_off = std::max(step.round_off, error->round_off);
+      if (error->mean) means.push_back(*error->mean);
+      if (run->integration && run->integration->time_error_share) {
+        context.time_error_share =
+            std::max(context.time_error_share.value_or(0.0), *run->integration->time_error_share);
+      }
     }
     if (!failures.empty()) step.errors.clear();
     step.out_of_time =
         !failures.empty() && std::all_of(failures.begin(), failures.end(),
                                          [](auto const& status) { return status == "timed-out"; });
-    Number mean;
-    if (!step.errors.empty()) {
-      mean = std::accumulate(step.errors.begin(), step.errors.end(), 0.0) /
-             static_cast<double>(step.errors.size());
-    }
+    auto const average = [](std::vector<double> const& values) -> Number {
+      if (values.empty()) return std::nullopt;
+      return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+    };
+    Number const mean = average(step.errors);
+    if (means.size() == step.errors.size()) step.mean = average(means);
     entry.levels.push_back({level.front()->resolution, step.spacing, static_cast<int>(level.size()), mean,
                             standard_deviation(step.errors), std::nullopt});
     set_times(level, entry.levels.back());
+    entry.levels.back().mean = step.mean;
     ladder.push_back(std::move(step));
   }
-  entry.observed = observed_order(ladder);
+  entry.observed = observed_order(ladder, context);
   if (allowed == 0.0 && entry.observed.verdict != "diverging" && levels.size() >= 3) {
     entry.observed.verdict = "floored";
     entry.observed.reason = "the solution jumps: its maximum error cannot go down";
   }
+  set_resolution_targets(levels, ladder, norm, entry);
   return entry;
 }
 
@@ -149,21 +183,13 @@ void set_seconds(std::vector<SeriesLevel> const& levels, TimeToError& entry) {
 }
 
 void measure_times(Levels const& levels, OrderEntry const& entry, NormChoice const& norm, Series& series) {
-  // The exact field's norm, from the finest run that has one.
-  RegionError const* finest = nullptr;
-  for (auto const& level : levels) {
-    for (RunRecord const* run : level) {
-      if (RegionError const* found = find_error(*run, entry.field, entry.region)) finest = found;
-    }
-  }
+  Number const scale = exact_norm(levels, entry, norm);
   bool const timed = std::any_of(entry.levels.begin(), entry.levels.end(),
                                  [](SeriesLevel const& level) { return level.seconds.has_value(); });
-  if (finest == nullptr || !timed) return;
-  double const scale = finest->scale.*norm.norm;
-  if (!(scale > 0.0)) return;
+  if (!timed || !scale || !(*scale > 0.0)) return;
   for (double const relative : relative_targets) {
     series.time_to_error.push_back(
-        {entry.field, entry.region, entry.norm, relative, relative * scale, std::nullopt, false});
+        {entry.field, entry.region, entry.norm, relative, relative * *scale, std::nullopt, false});
     set_seconds(entry.levels, series.time_to_error.back());
   }
 }

@@ -90,3 +90,4 @@ function commonSettings(some, all) {
   const keys = varyingSettings(all).filter((key) => new Set(some.map((s) => s.settings[key])).size === 1);
   return keys.length ? settingText(some[0], keys) : "";
 }
+

@@ -50,11 +50,7 @@ function percentText(row) {
 function summaryTitle({ cases, layouts, finest: [coarsest, finest], norm }) {
   const levels = coarsest === finest ? `N = ${finest}` : `N = ${coarsest} to ${finest}`;
   const error = norm === "" ? "no error" : norm === "mixed" ? "l1 error at jumps, else l2" : `${norm} error`;
-  const where =
-    cases.length + layouts.length === 2
-      ? `On ${cases[0]}, ${layouts[0]}`
-      : `Across ${plural(cases.length, "case")} on ${plural(layouts.length, "layout")}`;
-  return `${where}: ${error}, ${levels}`;
+  return `Across ${plural(cases.length, "case")} on ${plural(layouts.length, "layout")}: ${error}, ${levels}`;
 }
 
 function summaryTable(group, title) {
@@ -79,11 +75,8 @@ function summarySentences({ sentences, rows }) {
   const ranked = rows.filter((row) => !row.is_control);
   return sentences.map((text, k) => {
     const row = ranked[k];
-    if (!row) return ["", text];
-    if (row.failed + row.missing + row.diverging > 0) return ["care", text];
-    if (k > 0) return ["", text];
-    // No better than an answer of 0 everywhere.
-    return row.is_relative && row.error >= 1 ? ["bad", `None comes near. ${text}`] : ["good", text];
+    const isWhole = row && row.failed + row.missing + row.diverging === 0;
+    return [!row ? "" : !isWhole ? "care" : k === 0 ? "good" : "", text];
   });
 }
 

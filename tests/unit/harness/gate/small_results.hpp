@@ -67,7 +67,8 @@ inline std::vector<RunRecord> second_order(std::string const& formulation = "con
 
 /// Second order on average, with scatter: the interval is wide.
 inline std::vector<RunRecord> scattered() {
-  return {run_at(25, 16e-4), run_at(50, 7e-4), run_at(100, 0.9e-4), run_at(200, 0.35e-4)};
+  return {run_at(25, 18e-4), run_at(50, 3.7e-4), run_at(100, 1.1e-4), run_at(200, 0.23e-4),
+          run_at(400, 0.066e-4)};
 }
 
 /// A gates document around gates, each the text of an object without its braces and name.

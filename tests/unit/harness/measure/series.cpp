@@ -32,14 +32,15 @@ OrderEntry const* find(Series const& series, std::string const& norm) {
 }
 
 BOOST_AUTO_TEST_CASE(runs_that_differ_only_in_resolution_are_one_series_from_coarse_to_fine) {
-  auto const all = build_series({run_at(100, 1e-4), run_at(25, 16e-4), run_at(50, 4e-4)});
+  auto const all =
+      build_series({run_at(100, 1e-4), run_at(25, 16e-4), run_at(200, 0.25e-4), run_at(50, 4e-4)});
   BOOST_TEST(all.size() == 1u);
-  BOOST_TEST(all[0].runs.size() == 3u);
+  BOOST_TEST(all[0].runs.size() == 4u);
   OrderEntry const* const l2 = find(all[0], "l2");
   BOOST_TEST_REQUIRE(l2 != nullptr);
   BOOST_TEST(l2->levels[0].resolution == 25);
   BOOST_TEST(*l2->levels[2].error == 1e-4);
-  BOOST_TEST(*l2->observed.order == 2.0, tolerance(1e-12));
+  BOOST_TEST(*l2->observed.order == 2.0, tolerance(1e-4));
   BOOST_TEST(l2->observed.verdict == "asymptotic");
   BOOST_TEST(!l2->levels[0].spread.has_value());
   BOOST_TEST(!l2->levels[0].seconds.has_value());
@@ -53,7 +54,7 @@ BOOST_AUTO_TEST_CASE(the_order_is_taken_on_the_spacing_not_on_the_resolution) {
     run.spacing = std::pow(run.resolution, -0.5);
     run.errors["temperature"]["all"].error.l2 = 3.0 * run.spacing;
   }
-  BOOST_TEST(*find(build_series(runs)[0], "l2")->observed.order == 1.0, tolerance(1e-12));
+  BOOST_TEST(*find(build_series(runs)[0], "l2")->observed.order == 1.0, tolerance(1e-4));
 }
 
 BOOST_AUTO_TEST_CASE(whatever_else_differs_makes_another_series) {
@@ -93,7 +94,30 @@ BOOST_AUTO_TEST_CASE(seeds_are_replicates_of_a_level_with_their_mean_and_spread)
   BOOST_TEST(*level.error == 2.0 / 50.0, tolerance(1e-13));
   BOOST_TEST(*level.spread == 1.0 / 50.0, tolerance(1e-13));
   BOOST_TEST(*level.seconds == 0.2, tolerance(1e-13));
-  BOOST_TEST(*find(all[0], "l2")->observed.order == 1.0, tolerance(1e-12));
+  for (Number const& p : find(all[0], "l2")->observed.pairwise) BOOST_TEST(*p == 1.0, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(signed_means_targets_and_time_errors_reach_the_order) {
+  std::vector<RunRecord> runs;
+  double error = 8e-2;
+  for (int const n : {25, 50, 100, 200}) {
+    runs.push_back(run_at(n, error));
+    runs.back().errors["temperature"]["all"].mean = n < 100 ? -0.5 * error : 0.5 * error;
+    runs.back().integration.emplace().time_error_share = n == 50 ? 0.4 : 0.01;
+    error *= 0.5;
+  }
+  OrderEntry const crossing = *find(build_series(runs)[0], "l2");
+  BOOST_TEST(*crossing.levels[0].mean == -4e-2, tolerance(1e-12));
+  BOOST_TEST(crossing.observed.reason.find("passes through zero between levels 2 and 3") !=
+             std::string::npos);
+  for (RunRecord& run : runs) run.errors["temperature"]["all"].mean.reset();
+  OrderEntry const entry = *find(build_series(runs)[0], "l2");
+  BOOST_TEST(entry.observed.reason.find("errors in time may be 40% of these") != std::string::npos);
+  // The exact field's l2 norm is 2: 1% of it is the error at N = 100, 0.1% that at N = 1000.
+  BOOST_TEST_REQUIRE(entry.observed.targets.size() == 2u);
+  BOOST_TEST(*entry.observed.targets[0].relative == 0.01);
+  BOOST_TEST(*entry.observed.targets[0].resolution == 100.0, tolerance(1e-3));
+  BOOST_TEST(*entry.observed.targets[1].resolution == 1000.0, tolerance(1e-3));
 }
 
 BOOST_AUTO_TEST_CASE(a_level_of_which_a_replicate_failed_has_no_error) {
@@ -256,7 +280,7 @@ BOOST_AUTO_TEST_CASE(the_largest_error_at_a_jump_is_floored_unless_it_diverges) 
     Series const jumps = build_series(ladder_of("hydro/noh", order, {25, 50, 100, 200}))[0];
     BOOST_TEST(find(jumps, "linf")->observed.verdict == "floored");
     BOOST_TEST(find(jumps, "linf")->observed.reason.find("the solution jumps") != std::string::npos);
-    BOOST_TEST(*find(jumps, "linf")->observed.order == order, tolerance(1e-9));
+    for (Number const& p : find(jumps, "linf")->observed.pairwise) BOOST_TEST(std::abs(*p - order) < 1e-9);
     Series const smooth = build_series(ladder_of("hydro/manufactured", order, {25, 50, 100, 200}))[0];
     BOOST_TEST(find(smooth, "linf")->observed.verdict == find(smooth, "l1")->observed.verdict);
     BOOST_TEST(find(jumps, "l1")->observed.verdict == find(smooth, "l1")->observed.verdict);
@@ -271,7 +295,7 @@ BOOST_AUTO_TEST_CASE(the_largest_error_at_a_jump_is_floored_unless_it_diverges) 
 BOOST_AUTO_TEST_CASE(a_first_order_error_in_l1_is_asymptotic_at_a_jump) {
   Series const jumps = build_series(ladder_of("hydro/piston-velocity", 1.0, {25, 50, 100, 200}))[0];
   BOOST_TEST(find(jumps, "l1")->observed.verdict == "asymptotic");
-  BOOST_TEST(*find(jumps, "l1")->observed.order == 1.0, tolerance(1e-12));
+  BOOST_TEST(*find(jumps, "l1")->observed.order == 1.0, tolerance(1e-4));
 }
 
 BOOST_AUTO_TEST_CASE(what_differs_in_how_a_gas_moves_makes_another_series) {

@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "harness/cli/commands.hpp"
+#include "harness/measure/ladder_table.hpp"
+#include "reports/json/results_json.hpp"
+#include "reports/table/number_text.hpp"
+#include "reports/table/text_table.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct OrderCommand {
+  std::string table;
+  std::string format = "table";
+  std::vector<double> targets{0.01, 0.001};
+  double allowed = 0.0;  ///< 0: not known
+};
+
+struct JudgedColumn {
+  std::string name;
+  ObservedOrder observed;
+};
+
+JudgedColumn judge(LadderColumn const& column, OrderCommand const& command) {
+  LadderContext context;
+  if (command.allowed > 0.0) context.allowed = command.allowed;
+  JudgedColumn judged{column.name, observed_order(column.levels, context)};
+  LadderExtent const extent = extent_of(column.levels, 1.0);
+  for (double const target : command.targets)
+    judged.observed.targets.push_back(resolution_for(judged.observed, target, extent));
+  return judged;
+}
+
+std::string order_text(ObservedOrder const& observed) {
+  if (!observed.order) return "-";
+  if (!observed.lower) return fmt::format("{:.2f}", *observed.order);
+  return fmt::format("{:.2f} [{:.2f}, {:.2f}]", *observed.order, *observed.lower, *observed.upper);
+}
+
+std::string floor_text(ObservedOrder const& observed) {
+  if (!observed.floor) return "-";
+  return fmt::format("{} [{}, {}]", scientific(observed.floor->value), scientific(observed.floor->lower),
+                     scientific(observed.floor->upper));
+}
+
+std::string target_text(TargetResolution const& target) {
+  if (target.resolution) return fmt::format("{:.3g}", *target.resolution);
+  return target.remark.starts_with("never") ? "never" : "-";
+}
+
+std::string readable(std::vector<JudgedColumn> const& columns, OrderCommand const& command) {
+  TextTable table;
+  table.header = {"column", "verdict", "order", "floor"};
+  for (double const target : command.targets) table.header.push_back(fmt::format("N for {:g}", target));
+  std::string reasons;
+  for (JudgedColumn const& column : columns) {
+    auto& cells = table.rows.emplace_back(std::vector<std::string>{
+        column.name, column.observed.verdict, order_text(column.observed), floor_text(column.observed)});
+    for (TargetResolution const& target : column.observed.targets) cells.push_back(target_text(target));
+    reasons += hanging_lines(column.name + ": ", column.observed.reason, 2);
+  }
+  return render(table, TableFormat::table, false) + "\n" + reasons;
+}
+
+Json json(std::vector<JudgedColumn> const& columns) {
+  Json document = {{"schema", "sphverify-orders/1"}, {"columns", Json::object()}};
+  for (JudgedColumn const& column : columns) document["columns"][column.name] = to_json(column.observed);
+  return document;
+}
+
+void judge_table(OrderCommand const& command) {
+  std::vector<JudgedColumn> judged;
+  for (LadderColumn const& column : read_ladder_table(command.table))
+    judged.push_back(judge(column, command));
+  write_document("-", command.format == "json" ? document_text(json(judged)) : readable(judged, command));
+}
+
+}  // namespace
+
+void add_order(CLI::App& app) {
+  auto command = std::make_shared<OrderCommand>();
+  CLI::App* sub = app.add_subcommand("order", "Order of convergence, floor and verdict of anybody's errors");
+  sub->add_option("TABLE.csv", command->table,
+                  "Comma-separated: a line of names, N (particles along an axis) or spacing\n"
+                  "among them, seed if there are replicates, every other an error; - is\n"
+                  "standard input")
+      ->required();
+  sub->add_option("--format", command->format, "table or json")->check(CLI::IsMember({"table", "json"}));
+  sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--allowed", command->allowed, "Highest order that the solution allows; default: any")
+      ->check(CLI::PositiveNumber);
+  sub->footer(
+      "The rules: sphverify describe order\n"
+      "Example: printf 'N,l2\\n10,0.195\\n20,0.11\\n40,0.0566\\n80,0.0285\\n' | sphverify order -");
+  sub->callback([command] { judge_table(*command); });
+}
+
+}  // namespace sphverify

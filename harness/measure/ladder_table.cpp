@@ -1,0 +1,160 @@
+#include "harness/measure/ladder_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "reports/user_error.hpp"
+
+namespace sphverify {
+
+namespace {
+
+constexpr double double_round_off = 1e-300;  // an error of 0 says nothing of the order
+
+std::string trimmed(std::string const& text) {
+  std::size_t const first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string> cells_of(std::string const& line) {
+  std::vector<std::string> cells;
+  for (std::size_t from = 0; from <= line.size();) {
+    std::size_t const to = std::min(line.find(',', from), line.size());
+    cells.push_back(trimmed(line.substr(from, to - from)));
+    from = to + 1;
+  }
+  return cells;
+}
+
+/// Where a cell stands, for complaints.
+struct Place {
+  std::string const& file;
+  std::size_t line;
+  std::string column;
+
+  [[noreturn]] void complain(std::string const& found, std::string const& expected) const {
+    throw UserError(fmt::format("{}:{}", file, line), column, found, expected);
+  }
+};
+
+std::optional<double> number_in(std::string const& cell, Place const& place) {
+  if (cell.empty() || cell == "nan" || cell == "NaN") return std::nullopt;
+  double value = 0.0;
+  char const* const begin = cell.data() + (cell.front() == '+' ? 1 : 0);
+  auto const [end, error] = std::from_chars(begin, cell.data() + cell.size(), value);
+  if (error != std::errc{} || end != cell.data() + cell.size() || !std::isfinite(value))
+    place.complain("'" + cell + "'", "a number");
+  return value;
+}
+
+struct Header {
+  std::vector<std::string> names;
+  std::size_t spacing = 0;
+  bool is_resolution = false;  ///< the spacing's column is N
+  std::optional<std::size_t> seed;
+};
+
+Header read_header(std::vector<std::string> const& names, Place const& place) {
+  Header header;
+  header.names = names;
+  std::set<std::string> seen;
+  std::optional<std::size_t> spacing;
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (names[k].empty()) place.complain("a column without a name", "a name for each column");
+    if (!seen.insert(names[k]).second) place.complain("'" + names[k] + "' twice", "a name for each column");
+    if (names[k] == "seed") header.seed = k;
+    if (names[k] != "N" && names[k] != "spacing") continue;
+    if (spacing) place.complain("N and spacing", "one of the two");
+    spacing = k;
+    header.is_resolution = names[k] == "N";
+  }
+  if (!spacing)
+    place.complain(fmt::format("'{}'", names.front()), "names, N or spacing among them, with commas between");
+  header.spacing = *spacing;
+  if (names.size() < (header.seed ? 3u : 2u))
+    place.complain("no column of errors", "one or more beside N or spacing");
+  return header;
+}
+
+}  // namespace
+
+std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string const& file) {
+  std::optional<Header> header;
+  // column -> spacing, coarse first -> errors; a level with a run that has none has none.
+  struct Replicates {
+    std::vector<double> errors;
+    bool is_whole = true;
+  };
+  std::vector<std::map<double, Replicates, std::greater<>>> errors;
+  std::set<std::pair<double, double>> runs;
+  std::string line;
+  for (std::size_t number = 1; std::getline(text, line); ++number) {
+    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
+    std::vector<std::string> const cells = cells_of(line);
+    if (!header) {
+      header = read_header(cells, {file, number, "names"});
+      errors.resize(cells.size());
+      continue;
+    }
+    if (cells.size() != header->names.size()) {
+      Place{file, number, "columns"}.complain(
+          fmt::format("{}", cells.size()), fmt::format("{}, as in the line of names", header->names.size()));
+    }
+    Place const of_spacing{file, number, header->names[header->spacing]};
+    auto const given = number_in(cells[header->spacing], of_spacing);
+    if (!given || *given <= 0.0) of_spacing.complain("'" + cells[header->spacing] + "'", "a number above 0");
+    double const spacing = header->is_resolution ? 1.0 / *given : *given;
+    if (header->seed) {
+      auto const seed = number_in(cells[*header->seed], {file, number, "seed"});
+      if (!runs.emplace(spacing, seed.value_or(0.0)).second)
+        Place{file, number, "seed"}.complain("'" + cells[*header->seed] + "' twice at one spacing",
+                                             "each seed once");
+    } else if (!runs.emplace(spacing, 0.0).second) {
+      of_spacing.complain("'" + cells[header->spacing] + "' twice", "each once, or a column seed");
+    }
+    for (std::size_t k = 0; k < cells.size(); ++k) {
+      if (k == header->spacing || (header->seed && k == *header->seed)) continue;
+      Place const place{file, number, header->names[k]};
+      auto const error = number_in(cells[k], place);
+      Replicates& level = errors[k][spacing];
+      if (!error) {
+        level.is_whole = false;
+        continue;
+      }
+      if (*error < 0.0) place.complain("'" + cells[k] + "'", "an error, 0 or larger");
+      level.errors.push_back(*error);
+    }
+  }
+  if (!header) throw UserError(file, "names", "an empty table", "a line of names and lines of numbers");
+  if (runs.empty()) throw UserError(file, "rows", "none", "one line of numbers per run");
+  std::vector<LadderColumn> columns;
+  for (std::size_t k = 0; k < header->names.size(); ++k) {
+    if (k == header->spacing || (header->seed && k == *header->seed)) continue;
+    LadderColumn column{header->names[k], {}};
+    for (auto& [spacing, level] : errors[k])
+      column.levels.push_back(
+          {spacing, level.is_whole ? level.errors : std::vector<double>{}, double_round_off});
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+std::vector<LadderColumn> read_ladder_table(std::string const& path) {
+  if (path == "-") return read_ladder_table(std::cin, "standard input");
+  std::ifstream file(path);
+  if (!file)
+    throw UserError("order", "TABLE.csv", "'" + path + "', which cannot be read",
+                    "a file, or - for standard input");
+  return read_ladder_table(file, path);
+}
+
+}  // namespace sphverify

@@ -1,0 +1,118 @@
+"""`sphverify order`: orders, floors and verdicts of ladders that somebody else measured."""
+
+import sys
+
+sys.dont_write_bytecode = True
+
+import subprocess
+import unittest
+
+from program import PROGRAM, USER_ERROR, ProgramTest, complaints, strict_json
+
+PUBLISHED = """# a first-order scheme, and one that stops at a floor
+N,first,floored
+10,0.195,1.01e-5
+20,0.110,9.9e-7
+40,0.0566,1.08e-6
+80,0.0285,1.08e-6
+160,0.0143,1.19e-6
+"""
+
+
+def order(table, *arguments):
+    return subprocess.run(
+        [PROGRAM, "order", "-", *arguments], input=table, capture_output=True, text=True, timeout=60
+    )
+
+
+class Order(ProgramTest):
+    def columns(self, table, *arguments):
+        done = order(table, "--format", "json", *arguments)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        document = strict_json(done.stdout)
+        self.assertEqual(complaints("sphverify-orders-1", document), [])
+        return document["columns"]
+
+    def test_each_column_is_judged_by_itself(self):
+        columns = self.columns(PUBLISHED)
+        self.assertEqual(list(columns), ["first", "floored"])
+        first, floored = columns["first"], columns["floored"]
+        self.assertEqual(first["verdict"], "asymptotic")
+        self.assertLess(first["interval"][0], 1)
+        self.assertGreater(first["interval"][1], 1)
+        self.assertEqual(floored["verdict"], "floored")
+        self.assertIsNone(floored["order"])
+        self.assertLess(floored["floor"]["interval"][0], 1.08e-6)
+        self.assertGreater(floored["floor"]["interval"][1], 1.08e-6)
+
+    def test_targets_are_reached_at_an_N_or_never(self):
+        columns = self.columns(PUBLISHED, "--target", "1e-3", "1e-8")
+        first, floored = columns["first"]["targets"], columns["floored"]["targets"]
+        self.assertAlmostEqual(first[0]["N"], 0.0143 * 160 / 1e-3, delta=100)
+        self.assertIsNone(floored[1]["N"])
+        self.assertIn("never", floored[1]["remark"])
+
+    def test_spacings_and_seeds_are_read(self):
+        rows = [f"{1 / n},{seed},{(1 + 0.01 * seed) / n**2}" for n in (8, 16, 32, 64) for seed in (1, 2, 3)]
+        column = self.columns("spacing,seed,l2\n" + "\n".join(rows) + "\n")["l2"]
+        self.assertAlmostEqual(column["order"], 2, delta=0.05)
+        self.assertEqual(len(column["pairwise"]), 3)
+
+    def test_the_order_of_the_rows_does_not_matter(self):
+        lines = PUBLISHED.splitlines()
+        turned = "\n".join(lines[:2] + lines[:1:-1]) + "\n"
+        self.assertEqual(self.columns(PUBLISHED), self.columns(turned))
+
+    def test_a_table_answers_in_a_screen(self):
+        done = order(PUBLISHED)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = done.stdout.splitlines()
+        self.assertLess(len(lines), 24)
+        self.assertLessEqual(max(map(len, lines)), 100)
+        self.assertIn("asymptotic", done.stdout)
+        self.assertIn("floored", done.stdout)
+
+    def test_a_file_is_read_like_standard_input(self):
+        path = str(self.folder / "table.csv")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(PUBLISHED.replace("\n", "\r\n"))
+        done = subprocess.run(
+            [PROGRAM, "order", path, "--format", "json"], capture_output=True, text=True, timeout=60
+        )
+        self.assertEqual(strict_json(done.stdout)["columns"], self.columns(PUBLISHED))
+
+    def test_bad_tables_get_one_line_with_the_place(self):
+        for table, expected in [
+            ("", ["names"]),
+            ("N,l2\n", ["rows"]),
+            ("n,l2\n10,0.1\n", ["N or spacing"]),
+            ("N,spacing,l2\n1,1,1\n", ["N and spacing"]),
+            ("N,l2,l2\n1,1,1\n", ["'l2' twice"]),
+            ("N\n10\n", ["no column of errors"]),
+            ("N,l2\n10,0.1\n20;0.05\n", [":3", "columns", "1"]),
+            ("N,l2\n10,0.1\n20,x\n", [":3", "l2", "'x'", "a number"]),
+            ("N,l2\n10,0.1\n-20,0.05\n", [":3", "N", "'-20'"]),
+            ("N,l2\n10,0.1\n20,-0.05\n", [":3", "l2", "'-0.05'"]),
+            ("N,l2\n10,0.1\n10,0.05\n", [":3", "seed"]),
+            ("N,seed,l2\n10,1,0.1\n10,1,0.05\n", [":3", "seed"]),
+            ("N,l2\n10,0.1\n20,1e999\n", [":3", "l2"]),
+        ]:
+            with self.subTest(table=table):
+                done = order(table)
+                self.assertEqual(done.returncode, USER_ERROR, done.stderr)
+                self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
+                for word in expected:
+                    self.assertIn(word, done.stderr)
+        missing = subprocess.run([PROGRAM, "order", "none.csv"], capture_output=True, text=True, timeout=60)
+        self.assertEqual(missing.returncode, USER_ERROR)
+        self.assertIn("none.csv", missing.stderr)
+
+    def test_missing_errors_are_runs_that_failed(self):
+        column = self.columns("N,l2\n10,0.1\n20,0.05\n40,0.025\n80,\n")["l2"]
+        self.assertEqual(column["verdict"], "diverging")
+        between = self.columns("N,l2\n10,0.1\n20,nan\n40,0.025\n80,0.0125\n160,0.00625\n")["l2"]
+        self.assertEqual(between["verdict"], "asymptotic")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -5,6 +5,7 @@
 #include "reports/html/page_runs.hpp"
 #include "reports/html/page_series.hpp"
 #include "reports/html/page_stability.hpp"
+#include "reports/html/page_surfaces.hpp"
 #include "reports/table/time_ratio.hpp"
 
 namespace sphverify {
@@ -39,6 +40,8 @@ Json skipped_json(Results const& results) {
   return list;
 }
 
+/// @param rows of the document's series
+/// @param share how many documents share the room of the page
 Json document_json(NamedResults const& document, SeriesRow const* rows, std::size_t share) {
   Results const& results = document.results;
   Context const& c = results.context;
@@ -61,6 +64,7 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                {"study", Json::parse(results.study)},
                {"disturbance", disturbance({rows, rows + results.series.size()})},
                {"summary", Json::array()},
+               {"surfaces", surfaces_json(results, word)},
                {"series", std::move(series)},
                {"runs", runs_json(results, series_of, word)},
                {"profiles", profiles_json(results, share)},

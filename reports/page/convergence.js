@@ -201,7 +201,10 @@ function convergencePanel(view, { title, series }, resolutions, domain, reach) {
             ariaDescription: "spread of replicates",
           },
         ),
-        ...lineMark(view, byFit.get(true) ?? [], resolution, "error", { strokeWidth: 0.8, strokeOpacity: 0.5 }),
+        ...lineMark(view, byFit.get(true) ?? [], resolution, "error", {
+          strokeWidth: 0.8,
+          strokeOpacity: 0.5,
+        }),
         ...lineMark(view, byFit.get(false) ?? [], resolution, "error"),
         ...dotMark(view, shown, resolution, "error"),
         ...failureMark(view, failures, resolution, () => domain[1]),

@@ -15,9 +15,10 @@ function readDocument(raw, number) {
     stabilities: raw.stabilities.map((entry) => readStability(entry, word)),
     secondLaws: raw.second_laws.map((entry) => readSecondLaw(entry, word)),
     envelopes: raw.envelopes.map((entry) => readEnvelope(entry, word)),
+    surfaces: raw.surfaces.map((entry) => readSurface(entry, word)),
   };
   doc.cases = casesOf(doc);
-  nameFormulations([...series, ...doc.envelopes]);
+  nameFormulations([...series, ...doc.envelopes, ...doc.surfaces]);
   for (const list of [
     doc.profiles,
     doc.histories,
@@ -172,6 +173,68 @@ function readEnvelope(raw, word) {
   };
 }
 
+// Numbers with their 95% intervals are [value, lower, upper].
+function readSurface(raw, word) {
+  const estimate = ([value, lower, upper]) => ({ value, lower, upper });
+  const [field, region, norm] = raw.of.map(word);
+  return {
+    ...raw,
+    field,
+    region,
+    norm,
+    model: word(raw.model),
+    reason: word(raw.reason),
+    case: word(raw.case),
+    parameters: word(raw.parameters),
+    label: word(raw.label),
+    formulation: word(raw.formulation),
+    work: word(raw.work),
+    conduction: word(raw.conduction),
+    settings: readSettings(raw.settings, word),
+    smoothingExponent: estimate(raw.exponents[0]),
+    samplingExponent: estimate(raw.exponents[1]),
+    spacingExponent: estimate(raw.exponents[2]),
+    neighbourExponent: estimate(raw.exponents[3]),
+    best: raw.best.map(([resolution, ratio, edge, error, gridRatio, gridError]) => ({
+      resolution,
+      ratio: estimate(ratio),
+      edge: word(edge),
+      error,
+      gridRatio,
+      gridError,
+    })),
+    cells: raw.cells.map(([resolution, ratio, replicates, error, spread, fitted, seconds]) => ({
+      resolution,
+      ratio,
+      replicates,
+      error,
+      spread,
+      fitted,
+      seconds,
+    })),
+    paths: raw.paths.map((path) => ({
+      unit: path.unit,
+      gridExponent: path.grid_exponent,
+      reason: word(path.reason),
+      points: path.points.map(([error, resolution, ratio, cost]) => ({
+        error,
+        resolution,
+        ratio: estimate(ratio),
+        cost,
+      })),
+      rules: path.rules.map(([exponent, resolution, ratio, error, errorRatio, costRatio, remark]) => ({
+        exponent,
+        resolution,
+        ratio,
+        error,
+        errorRatio: estimate(errorRatio),
+        costRatio: estimate(costRatio),
+        remark: word(remark),
+      })),
+    })),
+  };
+}
+
 // On a case that compares rates alone, forms of different equations have different exact values: none is
 // better than another. What such a form approximates; empty on other cases.
 function operatorOf(series) {
@@ -190,6 +253,7 @@ function casesOf(doc) {
     cases.get(key).series.push(s);
     s.caseKey = key;
   }
+  for (const s of doc.surfaces) s.caseKey = `${s.case} ${s.parameters} ${operatorOf(s)}`;
   const list = [...cases.values()];
   for (const one of list) {
     const others = list.filter((other) => other !== one && other.id === one.id);

@@ -35,7 +35,13 @@ function orderFan(series, entry, scale) {
   const finest = finestLevel(series, entry);
   if (entry.order === null || entry.lower === null || entry.upper === null || !finest) return [];
   if (!(finest.error > 0)) return [];
-  const plain = { floor: 0, coefficient: finest.error, exponent: entry.order, nextCoefficient: 0, nextExponent: 1 };
+  const plain = {
+    floor: 0,
+    coefficient: finest.error,
+    exponent: entry.order,
+    nextCoefficient: 0,
+    nextExponent: 1,
+  };
   const law = entry.law ?? plain;
   const steps = 12;
   return d3

@@ -28,7 +28,11 @@ function documentPart(doc) {
   );
   node.append(summarySection(doc));
   const chosen = doc.series.length > 0 ? chosenPart(doc) : null;
-  node.append(...[envelopeSection(doc), chosen, failureSection(doc), skippedSection(doc), contextSection(doc)].filter(Boolean));
+  node.append(
+    ...[envelopeSection(doc), chosen, failureSection(doc), skippedSection(doc), contextSection(doc)].filter(
+      Boolean,
+    ),
+  );
   return node;
 }
 
@@ -217,6 +221,7 @@ function partsOf(view) {
   if (view.series.length === 0) return [element("p", { class: "note" }, "Nothing matches these choices.")];
   const parts = [
     convergenceSection,
+    surfaceSection,
     costSection,
     historySection,
     profileSection,

@@ -90,4 +90,3 @@ function commonSettings(some, all) {
   const keys = varyingSettings(all).filter((key) => new Set(some.map((s) => s.settings[key])).size === 1);
   return keys.length ? settingText(some[0], keys) : "";
 }
-

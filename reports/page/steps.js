@@ -30,7 +30,11 @@ function stepRows(view, series) {
 function agreementText(row) {
   if (row.agrees === null) return "";
   // A mode may grow too slowly for the steps that were tried to show it.
-  const words = row.grows ? ", but a mode grows" : row.isKnown ? "" : ", but whether a mode grows is not known";
+  const words = row.grows
+    ? ", but a mode grows"
+    : row.isKnown
+      ? ""
+      : ", but whether a mode grows is not known";
   return (row.agrees ? "agree" : "differ") + words;
 }
 

@@ -50,7 +50,11 @@ function percentText(row) {
 function summaryTitle({ cases, layouts, finest: [coarsest, finest], norm }) {
   const levels = coarsest === finest ? `N = ${finest}` : `N = ${coarsest} to ${finest}`;
   const error = norm === "" ? "no error" : norm === "mixed" ? "l1 error at jumps, else l2" : `${norm} error`;
-  return `Across ${plural(cases.length, "case")} on ${plural(layouts.length, "layout")}: ${error}, ${levels}`;
+  const where =
+    cases.length + layouts.length === 2
+      ? `On ${cases[0]}, ${layouts[0]}`
+      : `Across ${plural(cases.length, "case")} on ${plural(layouts.length, "layout")}`;
+  return `${where}: ${error}, ${levels}`;
 }
 
 function summaryTable(group, title) {
@@ -75,8 +79,11 @@ function summarySentences({ sentences, rows }) {
   const ranked = rows.filter((row) => !row.is_control);
   return sentences.map((text, k) => {
     const row = ranked[k];
-    const isWhole = row && row.failed + row.missing + row.diverging === 0;
-    return [!row ? "" : !isWhole ? "care" : k === 0 ? "good" : "", text];
+    if (!row) return ["", text];
+    if (row.failed + row.missing + row.diverging > 0) return ["care", text];
+    if (k > 0) return ["", text];
+    // No better than an answer of 0 everywhere.
+    return row.is_relative && row.error >= 1 ? ["bad", `None comes near. ${text}`] : ["good", text];
   });
 }
 

@@ -42,7 +42,8 @@ function targetText(rank, { time }, relative) {
   // Where the exact field is 0 there is no 1% of it, and a run that was not timed has no time.
   if (!rank.isRelative || rank.best.row.time.seconds === null) return "not known";
   const target = usualEntry(rank.best)?.targets.find((t) => t.relative === relative);
-  if (!target || target.resolution === null) return target?.remark.startsWith("never") ? "never" : "not reached";
+  if (!target || target.resolution === null)
+    return target?.remark.startsWith("never") ? "never" : "not reached";
   return `N = ${formatResolution(target.resolution)} by the law`;
 }
 
@@ -57,8 +58,8 @@ function driftText({ energy_drift: drift, energy_rounding: rounding }) {
   return rounding !== null && Math.abs(drift) <= rounding ? "rounding" : formatNumber(drift);
 }
 
-function wallFluxText({ wall_flux_error: error }) {
-  return error === null ? "not known" : formatPercent(error);
+function percentOrUnknown(part) {
+  return part === null ? "not known" : formatPercent(part);
 }
 
 function growthText({ growing_modes: growing }) {
@@ -68,7 +69,12 @@ function growthText({ growing_modes: growing }) {
 // What a ladder does beside its error, of what was measured: at the walls, to the energy, to small perturbations.
 function besideText({ row }) {
   const parts = [];
-  if (row.wall_flux_error !== null) parts.push(`wall flux off by ${wallFluxText(row)} of the largest flux`);
+  if (row.wall_flux_error !== null)
+    parts.push(`wall flux off by ${formatPercent(row.wall_flux_error)} of the largest flux`);
+  if (row.wall_impulse_defect !== null)
+    parts.push(
+      `impulse at walls off by ${formatPercent(Math.abs(row.wall_impulse_defect))} of the prescribed`,
+    );
   if (row.energy_drift !== null) {
     const drift = driftText(row);
     parts.push(`energy kept ${drift === "rounding" ? "to rounding" : `but for ${drift} of it`}`);
@@ -120,11 +126,14 @@ function soonestSentences(one, [first, ...others]) {
 function nearestSentences(one, [first, ...others]) {
   if (first.error === null) return [["bad", "No formulation gave a number."]];
   const isHopeless = first.broken === first.ladders;
+  // No better than an answer of 0 everywhere.
+  const isUseless = first.isRelative && first.error >= 1;
+  const what = isHopeless ? "None converges; smallest" : isUseless ? "None comes near; smallest" : "Smallest";
+  const setting = bestSettings(one, first.best);
   const lines = [
     [
-      isHopeless ? "bad" : "good",
-      `${isHopeless ? "None converges; smallest" : "Smallest"} error: ${first.name}, ` +
-        `${errorText(first)} (${bestSettings(one, first.best)}).`,
+      isHopeless || isUseless ? "bad" : "good",
+      `${what} error: ${first.name}, ${errorText(first)} (${setting}).`,
     ],
   ];
   const near = others.filter((r) => r.error !== null && r.error < 1.1 * first.error);
@@ -140,7 +149,9 @@ function warning(one, rank, first, isTimed) {
   if (rank.broken === 0 && !isShort && !isFar) return null;
   const parts = brokenParts(rank);
   if (isShort)
-    parts.push(rank.error === null ? "no ladder reaches 1%" : `no ladder reaches 1%, ${errorText(rank)} at best`);
+    parts.push(
+      rank.error === null ? "no ladder reaches 1%" : `no ladder reaches 1%, ${errorText(rank)} at best`,
+    );
   if (isFar)
     parts.push(`${errorText(rank)} at best, ${formatRatio(rank.error / first.error)} times the smallest`);
   const where = [...rank.failing, ...rank.diverging];
@@ -193,7 +204,7 @@ function verdictOf(doc, one) {
     field === ""
       ? "No error was measured."
       : `Error of ${field}, ${norm}, all particles; N = ${finest} is finest. ` +
-        "Times and error are the best over all settings, which the last column names; order, verdict, wall flux and " +
+        "Times and error are the best over all settings, which the last column names; order, verdict, walls and " +
         "energy belong to the first named.";
   return element(
     "article",
@@ -222,8 +233,7 @@ function rankColumns(one, ranks) {
     const entry = usualEntry(best);
     return entry && entry.order !== null ? formatOrder(entry.order, entry.lower, entry.upper) : "not known";
   };
-  const hasWalls = rows.some((row) => row.wall_flux_error !== null);
-  const hasEnergy = rows.some((row) => row.energy_drift !== null);
+  const has = (key) => rows.some((row) => row[key] !== null);
   // Of a ladder that only fails there is nothing else to say.
   const orFails = (text) => (r) => (r.failing.length === r.ladders ? "fails" : text(r));
   return [
@@ -234,9 +244,18 @@ function rankColumns(one, ranks) {
     ["times the soonest to 0.1%", isFine, (r) => ratioText(r.permille.ratio)],
     ["smallest error", true, orFails(errorText)],
     ["order [95%]", true, orFails(order)],
-    ["verdict", true, (r) => (r.failing.length === r.ladders ? r.best.row.failures : r.best.row.verdict || "–")],
-    ["wall flux error", hasWalls, orFails((r) => wallFluxText(r.best.row))],
-    ["energy drift", hasEnergy, orFails((r) => driftText(r.best.row))],
+    [
+      "verdict",
+      true,
+      (r) => (r.failing.length === r.ladders ? r.best.row.failures : r.best.row.verdict || "–"),
+    ],
+    ["wall flux error", has("wall_flux_error"), orFails((r) => percentOrUnknown(r.best.row.wall_flux_error))],
+    [
+      "wall impulse defect",
+      has("wall_impulse_defect"),
+      orFails((r) => percentOrUnknown(r.best.row.wall_impulse_defect)),
+    ],
+    ["energy drift", has("energy_drift"), orFails((r) => driftText(r.best.row))],
     ["growing modes", rows.some((row) => row.is_linearised), (r) => growthText(r.best.row)],
     ["ladders", true, (r) => ladderLines(r, isTimed)],
     ["setting", true, (r) => settingLines(one, r)],
@@ -305,11 +324,7 @@ function verdictTable(title, heads, bodies) {
       "table",
       {},
       element("caption", { class: "hidden" }, title),
-      element(
-        "thead",
-        {},
-        element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text))),
-      ),
+      element("thead", {}, element("tr", {}, ...heads.map((text) => element("th", { scope: "col" }, text)))),
       ...bodies,
     ),
   );

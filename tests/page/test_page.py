@@ -35,6 +35,7 @@ FLAGS = [
     "--disable-sync",
     "--window-size=1300,1000",
 ]
+UNITS = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
 MOST_BYTES = 3_000_000
 HOSTILE = '</script><script>document.title = "caught"</script><!-- <img src=x onerror=alert(1)> {{data}} & "'
 
@@ -173,6 +174,70 @@ def law_at(d, exponent=LAW["exponent"]):
     return LAW["floor"] + LAW["coefficient"] * d**exponent * (1 + LAW["next_coefficient"] * d)
 
 
+SURFACE = {"floor": 1e-4, "smoothing_coefficient": 1e-3, "smoothing_exponent": 2.0, "sampling_coefficient": 2e-3}
+SURFACE |= {"sampling_exponent": 3.0, "spacing_exponent": 0.5, "correlation": 0.0, "unit": 1 / 80, "sampling": []}
+RATIOS, LEVELS = [1.0, 1.5, 2.25, 3.0], [20, 40, 80]
+
+
+def surface_at(resolution, ratio):
+    d = 80 / resolution
+    smoothing = SURFACE["smoothing_coefficient"] * (ratio * d) ** SURFACE["smoothing_exponent"]
+    sampling = SURFACE["sampling_coefficient"] * ratio ** -SURFACE["sampling_exponent"] * math.sqrt(d)
+    return SURFACE["floor"] + math.hypot(smoothing, sampling)
+
+
+def estimate(value, lower=None, upper=None):
+    return {"value": value, "interval": None if lower is None else [lower, upper]}
+
+
+def surfaces_of(document):
+    """Of brookshaw one whose law is known, of lucy-flux one without a law in which a run failed, and a control."""
+    cells = [
+        {"resolution": n, "smoothing_ratio": r, "spacing": 1 / n, "particles": n, "replicates": 1}
+        | {"error": 1.05 * surface_at(n, r), "spread": None, "fitted": surface_at(n, r)}
+        | {"seconds": n * r * 1e-5, "pair_interactions": None}
+        for n in LEVELS
+        for r in RATIOS
+    ]
+    best = [
+        {"resolution": n, "ratio": estimate(r, r / 1.1, 1.1 * r), "edge": edge, "error": surface_at(n, r)}
+        | {"grid_ratio": 1.5, "grid_error": surface_at(n, 1.5)}
+        for n, r, edge in [(20, 1.0, "lower"), (40, 1.3, None), (80, 1.7, None)]
+    ]
+    path = {
+        "unit": "seconds",
+        "cost": {"coefficient": 1e-5, "resolution_exponent": 1.0, "ratio_exponent": 1.0, "misfit": 0.01},
+        "points": [
+            {"error": surface_at(n, r), "N": n, "ratio": estimate(r), "cost": n * r * 1e-5, "edge": None}
+            for n, r in [(20, 1.0), (40, 1.25), (80, 1.6)]
+        ],
+        "grid_exponent": 0.3,
+        "rules": [
+            {"exponent": 0.5, "N": 80, "ratio": 2.0, "error": 0.004, "error_ratio": estimate(1.4, 1.2, 1.6)}
+            | {"cost_ratio": estimate(1.8, 1.5, 2.1), "remark": None}
+        ],
+        "reason": None,
+    }
+    known = {"field": "temperature", "region": "all", "norm": "l2", "model": "smoothing and sampling"}
+    known |= {"reason": "", "law": SURFACE, "misfit": 0.05, "smoothing_exponent": estimate(2, 1.9, 2.1)}
+    known |= {"sampling_exponent": estimate(3, 2.5, 3.5), "spacing_exponent": estimate(0.5)}
+    known |= {"neighbour_exponent": estimate(0.3, 0.25, 0.35), "best": best, "paths": [path]}
+    known |= {"candidates": [], "cells": cells}
+    unknown = copy.deepcopy(known) | {"model": None, "law": None, "reason": "no law comes near", "misfit": 0.8}
+    unknown |= {f"{name}_exponent": estimate(None) for name in ["smoothing", "sampling", "spacing", "neighbour"]}
+    for b in unknown["best"]:
+        b |= {"ratio": estimate(None), "error": None, "edge": None}
+    unknown["paths"][0] |= {"points": [], "rules": [], "reason": "no law"}
+    unknown["cells"][0]["error"] = None
+    surfaces = []
+    for label, error in [("brookshaw (walls off)", known), ("lucy-flux", unknown), ("brookshaw", known)]:
+        series = next(s for s in document["series"] if name_of(s) == label)
+        keys = ["case", "parameters", "formulation", "work", "conduction", "walls", "label"]
+        discretisation = {k: v for k, v in series["discretisation"].items() if k != "smoothing_ratio"}
+        surfaces.append({key: series[key] for key in keys} | {"discretisation": discretisation} | error)
+    return surfaces
+
+
 def name_of(series):
     return series["label"].split("/")[1]
 
@@ -294,12 +359,25 @@ class PageTest(program.ProgramTest):
                 seconds = 1e-3 if series["walls"] == "off" else slow
                 target |= {"seconds": seconds, "median_seconds": seconds, "low_seconds": None, "high_seconds": None}
                 target["is_bound"] = False
+            if series["walls"] == "off":
+                for level in entry_of(series)["levels"]:
+                    level["error"] *= 1e-6
         maker.write("soon.json", soon)
+        # Further off than an answer of 0, and never near.
+        useless = copy.deepcopy(cls.cards)
+        for series in useless["series"]:
+            far = 5 * useless["runs"][series["runs"][-1]]["errors"]["temperature"]["all"]["scale"]["l2"]
+            for level in entry_of(series)["levels"]:
+                level["error"] = far if series["formulation"] == "conduction/brookshaw" else 2 * far
+            for target in series["time_to_error"]:
+                target |= {"seconds": None, "median_seconds": None, "low_seconds": None, "high_seconds": None}
+        maker.write("useless.json", useless)
         cls.laws = with_laws(copy.deepcopy(cls.cards))
         maker.write("laws.json", cls.laws)
         cls.scale = cls.laws["runs"][0]["errors"]["temperature"]["all"]["scale"]["l2"]
         maker.study(LAYOUTS, "layouts.json")
-        for name in ["cards", "soon", "laws", "layouts"]:
+        maker.write("surface.json", cls.cards | {"surfaces": surfaces_of(cls.cards)})
+        for name in ["cards", "soon", "useless", "laws", "layouts", "surface"]:
             maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
@@ -527,6 +605,12 @@ class PageTest(program.ProgramTest):
         controls = sorted(head.get_attribute("textContent") for head in self.all(body))
         self.assertEqual(controls, ["brookshaw (walls off)", "lucy-flux (walls off)"])
 
+    def test_errors_larger_than_the_field_are_no_merit(self):
+        self.open("useless.html")
+        lines = self.card_sentences()
+        self.assertTrue(lines[0].startswith("None comes near; smallest error: brookshaw, 500% "), lines[0])
+        self.assertEqual(self.all("article.verdict .sentences .good"), [])
+
     def test_cards_say_wall_flux_conservation_and_stability(self):
         self.open("cards.html")
         names = self.verdict_cells("formulation")
@@ -647,6 +731,76 @@ class PageTest(program.ProgramTest):
         self.assertTrue(all(floor in tip and "1%: N = 34" in tip for tip in law), law)
         self.assertTrue(all("1.50 [1.20, 1.90]" in tip for tip in law), law)
 
+    def test_draws_the_error_surface_with_its_best_path(self):
+        self.open("surface.html")
+        captions = [node.text for node in self.all("section.surface figcaption")]
+        self.assertEqual(captions, ["lucy-flux", "brookshaw", "brookshaw (walls off)"])  # controls last
+        figure = "section.surface figure:nth-child(2)"
+        # Pixels of both axes, from the best h/dx at each N.
+        place = "const [dot] = [arguments[0]]; return [dot.cx.baseVal.value, dot.cy.baseVal.value]"
+        dots = self.all(f"{figure} g[aria-description='best h/dx'] circle")
+        places = [self.script(place, dot) for dot in dots]
+        known = [(20, 1.0), (40, 1.3), (80, 1.7)]
+        self.assertEqual(len(places), len(known))
+        scales = []
+        for axis in (0, 1):
+            a, b = places[0][axis], places[-1][axis]
+            c, d = math.log(known[0][axis]), math.log(known[-1][axis])
+            slope = (b - a) / (d - c)
+            scales.append(lambda v, a=a, c=c, s=slope: a + (math.log(v) - c) * s)
+            scales.append(lambda p, a=a, c=c, s=slope: math.exp(c + (p - a) / s))
+        x, n_at, y, ratio_at = scales
+        self.assertAlmostEqual(places[1][0], x(40), delta=0.1)
+        self.assertAlmostEqual(places[1][1], y(1.3), delta=0.1)
+        points = lambda path: [  # noqa: E731
+            tuple(map(float, pair)) for pair in re.findall(r"(-?[0-9.]+),(-?[0-9.]+)", path.get_attribute("d"))
+        ]
+        # On a contour the law is one of 1, 2, 5 times a power of ten.
+        contours = [points(p) for p in self.all(f"{figure} g[aria-description='contours of the law'] path")]
+        self.assertGreater(len(contours), 2)
+        for contour in contours:
+            errors = [surface_at(n_at(px), ratio_at(py)) / self.scale for px, py in contour]
+            middle = sorted(errors)[len(errors) // 2]
+            mantissa = middle / 10 ** math.floor(math.log10(middle) + 1e-3)
+            self.assertLess(min(abs(mantissa / m - 1) for m in (1, 2, 5, 10)), 0.01)
+            self.assertLess(max(errors) / min(errors), 1.03)
+        numbers = self.all(f"{figure} g[aria-description='contour label'] text")
+        labels = {node.get_attribute("textContent") for node in numbers}
+        self.assertIn("1%", labels)
+        path = points(self.one(f"{figure} g[aria-description='path of least cost'] path"))
+        for (px, py), (n, r) in zip((path[0], path[-1]), [(20, 1.0), (80, 1.6)]):
+            self.assertAlmostEqual(px, x(n), delta=0.5)
+            self.assertAlmostEqual(py, y(r), delta=0.5)
+        rule = points(self.one(f"{figure} g[aria-description='neighbour rule'] path"))
+        self.assertAlmostEqual(rule[0][0], x(20), delta=0.5)
+        for px, py in rule:
+            self.assertAlmostEqual(py, y(2.0 * (n_at(px) / 80) ** 0.5), delta=0.5)
+        cells = self.all(f"{figure} g[aria-description='measured error'] rect")
+        self.assertEqual(len(cells), len(LEVELS) * len(RATIOS))
+        shades = [float(cell.get_attribute("fill-opacity")) for cell in cells]
+        errors = [surface_at(n, r) for n in LEVELS for r in RATIOS]
+        falling = [shade for _, shade in sorted(zip(errors, shades))]
+        self.assertEqual(falling, sorted(shades, reverse=True))
+        # No law: no contours of it, what was tried alone, and what failed.
+        other = "section.surface figure:nth-child(1)"
+        self.assertEqual(self.all(f"{other} g[aria-description='contours of the law'] path"), [])
+        self.assertEqual(len(self.all(f"{other} g[aria-description='best h/dx'] circle")), 3)
+        self.assertEqual(len(self.all(f"{other} g[aria-description='failed'] path")), 1)
+        for column, texts in {
+            "formulation": ["lucy-flux", "brookshaw", "brookshaw (walls off)"],
+            "model": ["no law comes near"] + 2 * ["smoothing and sampling"],
+            "best h/dx at N = 20": ["1.5 of those tried"] + 2 * ["1 [0.909, 1.1] or less"],
+            "best h/dx at N = 80": ["1.5 of those tried"] + 2 * ["1.7 [1.55, 1.87]"],
+            "neighbours ~ N^k: best k": ["not known"] + 2 * ["0.3 [0.25, 0.35]"],
+            "k = 0.5: error / best, same cost": ["not known"] + 2 * ["1.40 [1.20, 1.60]"],
+            "k = 0.5: cost / best, same error": ["not known"] + 2 * ["1.80 [1.50, 2.10]"],
+        }.items():
+            self.assertEqual(self.cells("Error surfaces", column), texts, column)
+        self.assertIn("neighbours ~ N^0.5: 1.40 [1.20, 1.60] times the error", self.lines("surface")[1])
+        self.assert_silent()
+        self.open("cards.html")
+        self.assertEqual(self.all("section.surface"), [])
+
     def test_headings_name_their_quantities_and_tell_settings_apart(self):
         self.open("layouts.html")
         captions = [node.text for node in self.all("section.convergence figcaption")]
@@ -662,7 +816,7 @@ class PageTest(program.ProgramTest):
                 head.get_attribute("textContent")
                 for head in article.find_elements(By.CSS_SELECTOR, "tbody th")
             )
-            for article in self.all("article.verdict")
+            for article in self.all("article.verdict:not(.across)")
         }
         self.assertEqual(
             ranked,
@@ -875,7 +1029,7 @@ class PageTest(program.ProgramTest):
         self.assertEqual(self.verdict_cells("times the soonest"), ["1", "≈ 1.05 [0.90, 1.33]"])
         self.assertEqual(self.verdict_cells("time to 0.1%"), ["100 ms", "300 ms"])
         self.assertEqual(self.verdict_cells("times the soonest to 0.1%"), ["1", "3.00 [2.70, 3.40]"])
-        text = self.one("article.verdict").text
+        text = self.one("article.verdict:not(.across)").text
         self.assertIn("Run times do not tell it from lucy-flux (1.05 times as long).", text)
         self.assertIn("Soonest to 1%, as far as can be told: brookshaw, 10 ms", text)
         self.assertIn("≈: run times do not tell it from the soonest.", text)
@@ -939,9 +1093,8 @@ class PageTest(program.ProgramTest):
         for order in ["ascending", "descending"]:
             button.send_keys(Keys.ENTER)
             self.assertEqual(head.get_attribute("aria-sort"), order)
-            units = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
             texts = self.cells("Ladders", "run time")
-            numbers = [float(t.split()[0]) * units[t.split()[1]] for t in texts if t != "–"]
+            numbers = [float(t.split()[0]) * UNITS[t.split()[1]] for t in texts if t != "–"]
             # A ladder that failed has no time and stands last either way.
             self.assertEqual(texts[-1], "–")
             seconds.append(numbers)

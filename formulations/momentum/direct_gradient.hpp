@@ -21,7 +21,8 @@ struct DirectGradient {
       .reads = {Field::density, Field::pressure},
       .kernel = {KernelWeight::gradient},
       .boundary = {BoundaryValue::pressure},
-      .work_partner = "work/internal-energy"};
+      .work_partner = "work/internal-energy",
+      .control = true};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return (-j.m() * (j.P() / j.rho()) / i.rho() * W.gradient()).eval();

@@ -46,6 +46,7 @@ struct SchemeInfo {
   bool two_pass = false;               ///< has a first pass, which computes the flux
   bool difference_form = false;        ///< its pair is a conductance, without T, times (T_i - T_j)
   std::string_view work_partner = {};  ///< of a momentum form: its default energy equation
+  bool control = false;  ///< a yardstick beside the others: shown, never what a comparison recommends
 };
 
 }  // namespace sphverify

@@ -4,10 +4,13 @@
 #include <memory>
 #include <set>
 
+#include "formulations/rate_operator.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/compare.hpp"
 #include "reports/table/document_names.hpp"
+#include "reports/table/sections.hpp"
 
 namespace sphverify {
 
@@ -31,6 +34,27 @@ void require_region(std::string const& region, std::vector<NamedResults> const& 
     throw UserError("compare", "--region", region, fmt::format("one of {}", fmt::join(known, ", ")));
 }
 
+std::vector<std::string> section_names() {
+  std::vector<std::string> names;
+  for (Section const& section : sections()) names.push_back(section.name);
+  return names;
+}
+
+/// "summary: ...", a line each.
+std::string section_help() {
+  std::string text = "One part alone; default: all but levels, of csv series";
+  for (Section const& section : sections()) text += fmt::format("\n{}: {}", section.name, section.says);
+  return text;
+}
+
+std::set<std::string> control_ids() {
+  std::set<std::string> ids;
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (scheme->control) ids.emplace(scheme->id);
+  }
+  return ids;
+}
+
 void compare_documents(CompareCommand const& command) {
   if (command.options.section == "changes" && command.documents.size() < 2)
     throw UserError("compare", "--section", "changes of one document", "two documents or more");
@@ -40,11 +64,13 @@ void compare_documents(CompareCommand const& command) {
     documents.push_back({names[k], read_results(command.documents[k])});
   require_region(command.options.region, documents);
   CompareOptions options = command.options;
-  options.format = command.format == "markdown" ? TableFormat::markdown
-                   : command.format == "csv"    ? TableFormat::csv
-                   : command.format == "json"   ? TableFormat::json
-                                                : TableFormat::table;
-  options.colour = options.format == TableFormat::table && isatty(STDOUT_FILENO) != 0;
+  options.style.format = command.format == "markdown" ? TableFormat::markdown
+                         : command.format == "csv"    ? TableFormat::csv
+                         : command.format == "json"   ? TableFormat::json
+                                                      : TableFormat::table;
+  options.style.colour = options.style.format == TableFormat::table && takes_colour(STDOUT_FILENO);
+  options.style.columns = known_columns().value_or(usual_columns);
+  options.controls = control_ids();
   write_document("-", compare(documents, options));
 }
 
@@ -62,12 +88,13 @@ void add_compare(CLI::App& app) {
   sub->add_option("--norm", command->options.norm,
                   "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
       ->check(CLI::IsMember({"l1", "l2", "linf"}));
-  sub->add_option("--section", command->options.section,
-                  "series, envelopes or changes (of every document against the\n"
-                  "first); default: all, of csv series; json always holds all")
-      ->check(CLI::IsMember({"series", "envelopes", "changes"}));
+  sub->add_option("--section", command->options.section, section_help())
+      ->check(CLI::IsMember(section_names()));
+  sub->add_flag("--legend", command->options.legend, "Says below the tables what their marks mean");
   sub->footer(
+      "Lines are as long as COLUMNS or the terminal says, else 80.\n"
       "Example: sphverify compare results.json --region wall --norm linf\n"
+      "         sphverify compare results.json --section levels --format csv > levels.csv\n"
       "         sphverify compare before.json after.json --section changes");
   sub->callback([command] { compare_documents(*command); });
 }

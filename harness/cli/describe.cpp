@@ -7,6 +7,7 @@
 
 #include "harness/cli/catalogue.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/listed_identifiers.hpp"
 #include "reports/table/number_text.hpp"
@@ -23,12 +24,13 @@ struct DescribeOptions {
 /// Lines of text, indented; on a terminal broken where they do not fit, the rest a little further in.
 std::string indented(std::string const& text) {
   bool const is_terminal = isatty(STDOUT_FILENO) != 0;
+  std::size_t const columns = known_columns().value_or(usual_columns);
   std::string out;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::size_t const blanks = std::min(line.find_first_not_of(' '), line.size());
     std::string const head(2 + blanks, ' ');
-    out += is_terminal ? hanging_lines(head, line.substr(blanks), head.size() + 2) : "  " + line + "\n";
+    out += is_terminal ? hanging_lines(head, line.substr(blanks), head.size() + 2, columns) : "  " + line + "\n";
   }
   return out;
 }

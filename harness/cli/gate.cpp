@@ -9,6 +9,7 @@
 #include "harness/gate/read_gates.hpp"
 #include "harness/gate/rebaseline.hpp"
 #include "harness/gate/write_verdicts.hpp"
+#include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -67,7 +68,7 @@ void gate(GateCommand const& command) {
   if (!command.junit.empty()) write_document(command.junit, verdicts_junit(gates, verdicts));
   if (!command.markdown.empty()) write_document(command.markdown, verdicts_markdown(gates, verdicts));
   std::string text = environment("GITHUB_ACTIONS") == "true" ? verdicts_annotations(gates, verdicts) : "";
-  text += verdicts_text(verdicts, isatty(STDOUT_FILENO) != 0);
+  text += verdicts_text(verdicts, takes_colour(STDOUT_FILENO), known_columns().value_or(widest_line));
   write_document("-", text);
   for (GateVerdict const& one : verdicts) {
     if (!holds(one.verdict)) throw GateFailed();

@@ -5,6 +5,7 @@
 
 #include "harness/cli/catalogue.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/number_text.hpp"
 
@@ -33,6 +34,7 @@ void list(ListOptions const& options) {
   }
   // Off a terminal an entry is one line, for grep.
   bool const is_terminal = isatty(STDOUT_FILENO) != 0;
+  std::size_t const columns = known_columns().value_or(usual_columns);
   std::string text;
   for (std::string const& kind : catalogue_kinds()) {
     if (!options.kind.empty() && options.kind != kind) continue;
@@ -42,7 +44,7 @@ void list(ListOptions const& options) {
       std::string const source = entry.source.empty() ? "" : fmt::format(" ({})", entry.source);
       std::string const head = fmt::format("{}{:<29} ", options.kind.empty() ? "  " : "", entry.id);
       std::string const words = entry.title + source;
-      text += is_terminal ? hanging_lines(head, words, head.size()) : head + words + "\n";
+      text += is_terminal ? hanging_lines(head, words, head.size(), columns) : head + words + "\n";
     }
   }
   write_document("-", text);

@@ -31,14 +31,14 @@ std::string without_control(std::string text) {
   return text;
 }
 
-std::string wrapped(std::string const& text) {
+std::string wrapped(std::string const& text, std::size_t columns) {
   std::string all;
   std::string line = "  ";
   bool fresh = true;
   for (std::size_t start = 0; start < text.size();) {
     std::size_t const end = std::min(text.find(' ', start), text.size());
     std::string const one = text.substr(start, end - start);
-    if (!fresh && width_of(line) + 1 + width_of(one) > widest_line) {
+    if (!fresh && width_of(line) + 1 + width_of(one) > columns) {
       all += line + "\n";
       line = "    ";
       fresh = true;

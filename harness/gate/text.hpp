@@ -4,6 +4,7 @@
 
 namespace sphverify {
 
+/// Columns of a line where no terminal says how many it has.
 inline constexpr std::size_t widest_line = 100;
 
 /// Columns on a terminal that a UTF-8 text takes: its code points.
@@ -15,8 +16,8 @@ std::string fitted(std::string const& text, std::size_t width);
 /// A text that came from elsewhere, on one line.
 std::string without_control(std::string text);
 
-/// Words on lines of at most the widest, each with its newline: the first indented by two blanks, further
+/// Words on lines of at most so many columns, each with its newline: the first indented by two blanks, further
 /// ones by four.
-std::string wrapped(std::string const& text);
+std::string wrapped(std::string const& text, std::size_t columns = widest_line);
 
 }  // namespace sphverify

@@ -50,7 +50,7 @@ std::vector<std::string> remarks(GateVerdict const& verdict) {
   return all;
 }
 
-std::string verdicts_text(std::vector<GateVerdict> const& verdicts, bool colour) {
+std::string verdicts_text(std::vector<GateVerdict> const& verdicts, bool colour, std::size_t columns) {
   auto const numbers = [](GateVerdict const& one) { return one.measured + "  " + one.limit; };
   std::size_t longest_name = 0;
   std::size_t longest_numbers = 0;
@@ -62,7 +62,7 @@ std::string verdicts_text(std::vector<GateVerdict> const& verdicts, bool colour)
   }
   // A name gives way where a line would be too long; it stands in full below if the gate does not hold.
   auto const room_beside = [&](std::size_t width) {
-    return widest_line - std::min(widest_line, verdict_width + width + 4);
+    return columns - std::min(columns, verdict_width + width + 4);
   };
   std::size_t const column = std::min(longest_name, std::max(room_beside(longest_numbers), usual_name));
   std::string text;
@@ -76,7 +76,7 @@ std::string verdicts_text(std::vector<GateVerdict> const& verdicts, bool colour)
     auto const lines = remarks(one);
     if (lines.empty()) continue;
     text += fmt::format("\n{}: {}\n", one.name, word(one.verdict));
-    for (std::string const& line : lines) text += wrapped(line);
+    for (std::string const& line : lines) text += wrapped(line, columns);
   }
   return text + "\n" + verdicts_summary(verdicts) + "\n";
 }

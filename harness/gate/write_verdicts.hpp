@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "harness/gate/gates.hpp"
+#include "harness/gate/text.hpp"
 
 namespace sphverify {
 
 /// One line per gate (verdict, name, measured, limit), then what there is to say of those that do not simply
-/// pass, then a summary on the last line. At most 100 columns.
-std::string verdicts_text(std::vector<GateVerdict> const& verdicts, bool colour);
+/// pass, then a summary on the last line. As wide as said.
+std::string verdicts_text(std::vector<GateVerdict> const& verdicts, bool colour,
+                          std::size_t columns = widest_line);
 
 /// A JUnit document: one test case per gate; an expected failure is a skipped one, everything else that does
 /// not hold a failure.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "harness/terminal.hpp"
+
 namespace sphverify {
 
 namespace {
@@ -25,7 +27,7 @@ Progress::Progress(std::vector<RunProgress> runs, int at_a_time)
       done_(static_cast<std::size_t>(std::count_if(
           runs_.begin(), runs_.end(),
           [](RunProgress const& run) { return run.state == RunProgress::State::finished_before; }))),
-      terminal_(isatty(STDERR_FILENO) != 0),
+      terminal_(can_redraw(STDERR_FILENO)),
       start_(std::chrono::steady_clock::now()),
       last_line_(start_) {
   fmt::print(stderr, "{} runs{}\n", runs_.size(),
@@ -64,8 +66,10 @@ void Progress::draw(std::string const& what) {
   std::string const rest = left && done_ < runs_.size() ? duration_text(*left) + " left" : "";
   if (terminal_) {
     std::size_t const filled = bar_width * done_ / std::max<std::size_t>(runs_.size(), 1);
-    fmt::print(stderr, "\r[{:=<{}}{: <{}}] {}/{}  {}  {:.50}\x1b[K", "", filled, "", bar_width - filled,
-               done_, runs_.size(), rest, what);
+    std::string const line = fmt::format("[{:=<{}}{: <{}}] {}/{}  {}  {:.50}", "", filled, "",
+                                         bar_width - filled, done_, runs_.size(), rest, what);
+    // A line that is broken cannot be drawn over.
+    fmt::print(stderr, "\r{:.{}}\x1b[K", line, known_columns().value_or(usual_columns) - 1);
   } else {
     fmt::print(stderr, "{}/{} runs, {}{}\n", done_, runs_.size(),
                duration_text(seconds_between(start_, last_line_)), rest.empty() ? "" : ", about " + rest);

@@ -95,12 +95,11 @@ std::string name_of(std::string const& case_id, std::map<std::string, ParameterV
 }
 
 std::string name_of(Series const& s) {
-  return name_of(s.case_id, s.parameters, s.label,
-                 {"", s.formulation, s.discretisation, s.smoothing_exponent});
+  return name_of(s.case_id, s.parameters, s.label, setting_of("", s));
 }
 
 std::string name_of(Envelope const& e) {
-  return name_of(e.case_id, e.parameters, e.label, {"", e.formulation, e.discretisation, 0.0}) + ", " +
+  return name_of(e.case_id, e.parameters, e.label, {"", e.formulation, e.discretisation, 0.0, e.resolution}) + ", " +
          e.parameter;
 }
 
@@ -339,7 +338,8 @@ void compare_numbers(Pair const& pair, Collector& collect) {
 
 Change place_of(Series const& series, int resolution) {
   Change place;
-  place.setting = {"", series.formulation, without_seed(series.discretisation), series.smoothing_exponent};
+  place.setting = setting_of("", series);
+  place.setting.discretisation = without_seed(series.discretisation);
   place.case_id = series.case_id;
   place.parameters = series.parameters;
   place.formulation = series.label;
@@ -415,7 +415,7 @@ void compare_envelopes(Envelope const& a, Envelope const& b, Changes& changes) {
   }
   Collector collect(changes, same_search(a, b));
   Change place;
-  place.setting = {"", b.formulation, b.discretisation, 0.0};
+  place.setting = {"", b.formulation, b.discretisation, 0.0, b.resolution};
   place.case_id = b.case_id;
   place.parameters = b.parameters;
   place.formulation = b.label;

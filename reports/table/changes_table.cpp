@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t most_rows = 20;
 constexpr std::size_t most_names = 5;
-constexpr std::size_t narrowest_words = 20;  // columns
+constexpr std::size_t narrowest_words = 30;  // columns
 constexpr char const* where_all_are = "--section changes --format csv";
 
 /// Names of series among those of their case in both documents: only what differs is said.
@@ -23,11 +23,11 @@ class SeriesNames {
     std::map<std::string, std::vector<Setting>> settings;
     for (NamedResults const* document : {changes.before, changes.after}) {
       for (Series const& s : document->results.series) {
-        settings[s.case_id].push_back({"", s.formulation, s.discretisation, s.smoothing_exponent});
+        settings[s.case_id].push_back(setting_of("", s));
         note(s.case_id, s.parameters);
       }
       for (Envelope const& e : document->results.envelopes) {
-        settings[e.case_id].push_back({"", e.formulation, e.discretisation, 0.0});
+        settings[e.case_id].push_back({"", e.formulation, e.discretisation, 0.0, e.resolution});
         note(e.case_id, e.parameters);
       }
     }
@@ -68,15 +68,26 @@ std::string size_text(Change const& change) {
   return fmt::format("x{:.3g}", ratio);
 }
 
-/// The last column, of words, broken into lines where the table would be too wide.
-void break_last_column(TextTable& table) {
+/// The last column, of words, broken into lines where the table would be too wide, or below the rows where
+/// little room is left for it.
+void break_last_column(TextTable& table, std::size_t columns) {
   std::size_t taken = 0;
   for (std::size_t c = 0; c + 1 < table.header.size(); ++c) {
     std::size_t width = text_width(table.header[c]);
     for (auto const& row : table.rows) width = std::max(width, text_width(row[c]));
     taken += width + 2;
   }
-  std::size_t const left = std::max(terminal_columns, taken + narrowest_words) - taken;
+  std::size_t const left = columns - std::min(columns, taken);
+  if (left < narrowest_words) {
+    table.note_name = table.header.back();
+    table.header.pop_back();
+    --table.label_columns;
+    for (auto& row : table.rows) {
+      table.notes.push_back(row.back());
+      row.pop_back();
+    }
+    return;
+  }
   std::vector<std::vector<std::string>> rows;
   for (auto& row : table.rows) {
     auto const lines = lines_of_words(row.back(), left);
@@ -92,8 +103,8 @@ void break_last_column(TextTable& table) {
 
 std::string show(TextTable table, std::size_t all, CompareOptions const& options) {
   std::size_t const shown = table.rows.size();
-  if (options.format == TableFormat::table) break_last_column(table);
-  std::string text = render(table, options.format, options.colour);
+  if (options.style.format == TableFormat::table) break_last_column(table, options.style.columns);
+  std::string text = render(table, options.style);
   if (shown < all) text += fmt::format("\nand {} more: {}\n", all - shown, where_all_are);
   return text + "\n";
 }
@@ -139,21 +150,22 @@ std::string counts_text(Changes const& changes, CompareOptions const& options) {
       cells.push_back(n == 0 ? "" : fmt::format("{}", n));
     table.rows.push_back(std::move(cells));
   }
-  return render(table, options.format, options.colour) + "\n";
+  return render(table, options.style) + "\n";
 }
 
-std::string context_text(NamedResults const& document) {
+std::string context_text(NamedResults const& document, std::size_t columns) {
   Context const& c = document.results.context;
   std::string flags = c.flags.substr(std::min(c.flags.find_first_not_of(' '), c.flags.size()));
   return indented_lines(fmt::format("{}: version {}, commit {}, {} {}, {}, {} cores, {}", document.name,
-                                    c.version, c.commit, c.compiler, flags, c.processor, c.cores, c.date));
+                                    c.version, c.commit, c.compiler, flags, c.processor, c.cores, c.date),
+                        columns);
 }
 
-std::string names_text(std::vector<std::string> const& names, std::string const& what) {
+std::string names_text(std::vector<std::string> const& names, std::string const& what, std::size_t columns) {
   if (names.empty()) return "";
   std::string text = fmt::format("{} {}:\n", names.size(), what);
   for (std::size_t k = 0; k < std::min(names.size(), most_names); ++k)
-    text += indented_lines("- " + names[k]) + "\n";
+    text += indented_lines("- " + names[k], columns) + "\n";
   if (names.size() > most_names) text += fmt::format("  and {} more\n", names.size() - most_names);
   return text;
 }
@@ -161,15 +173,16 @@ std::string names_text(std::vector<std::string> const& names, std::string const&
 }  // namespace
 
 std::string changes_text(Changes const& changes, CompareOptions const& options) {
-  bool const is_markdown = options.format == TableFormat::markdown;
+  bool const is_markdown = options.style.format == TableFormat::markdown;
+  std::size_t const columns = options.style.columns;
   std::string const gap = is_markdown ? "\n\n" : "\n";
   std::string text = fmt::format("{}What changed: {} against {}{}", is_markdown ? "## " : "",
                                  changes.after->name, changes.before->name, gap);
-  text += context_text(*changes.before) + gap + context_text(*changes.after) + gap;
+  text += context_text(*changes.before, columns) + gap + context_text(*changes.after, columns) + gap;
   text += fmt::format("{} series in both, compared at their finest common level.\n", changes.in_both);
-  text += names_text(changes.only_before, "only in " + changes.before->name);
-  text += names_text(changes.only_after, "only in " + changes.after->name);
-  text += names_text(changes.not_comparable, "in both, without a level or a range that is the same");
+  text += names_text(changes.only_before, "only in " + changes.before->name, columns);
+  text += names_text(changes.only_after, "only in " + changes.after->name, columns);
+  text += names_text(changes.not_comparable, "in both, without a level or a range that is the same", columns);
   if (changes.same_machine && changes.not_repeated > 0)
     text += fmt::format(
         "The same build on the same machine: {} numbers and words should have repeated exactly.\n",
@@ -202,7 +215,7 @@ std::string changes_csv(std::vector<Changes> const& changes) {
       table.rows.push_back(std::move(cells));
     }
   }
-  return render(table, TableFormat::csv, false);
+  return render(table, {TableFormat::csv});
 }
 
 Json changes_json(std::vector<Changes> const& changes) {

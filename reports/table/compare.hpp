@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,11 +10,12 @@
 namespace sphverify {
 
 struct CompareOptions {
-  TableFormat format = TableFormat::table;
+  TextStyle style;
   std::string region = "all";
-  std::string norm;     ///< empty: l1 where the solution jumps, l2 elsewhere
-  std::string section;  ///< series, envelopes or changes; empty: all (of CSV: series if there are any)
-  bool colour = false;
+  std::string norm;                ///< empty: l1 where the solution jumps, l2 elsewhere
+  std::string section;             ///< one of reports/table/sections.hpp; empty: all that are shown unasked
+  bool legend = false;             ///< whether the marks are explained below the tables
+  std::set<std::string> controls;  ///< formulations that are yardsticks: shown apart, never recommended
 };
 
 /// A results document and the name that tells it from others.
@@ -22,10 +24,9 @@ struct NamedResults {
   Results results;
 };
 
-/// Formulations side by side. On a terminal and in Markdown: per case tables of errors with orders and
-/// verdicts, of wall fluxes, budgets and stability, of the time to 1%; a summary over all cases; envelopes;
-/// and of several documents what changed since the first. In CSV a row per series, envelope or change with
-/// all numbers, in JSON all of these.
+/// Formulations side by side, in the sections of reports/table/sections.hpp. On a terminal and in Markdown one
+/// after the other, the answer first; CSV is the table of one section (by default of the series, or of the
+/// envelopes where there are no series); JSON holds all sections that are shown unasked, and the one asked for.
 std::string compare(std::vector<NamedResults> const& documents, CompareOptions const& options);
 
 }  // namespace sphverify

@@ -59,8 +59,8 @@ TextTable table_of(std::vector<EnvelopeRow> const& rows) {
 
   EnvelopeRow const& first = rows.front();
   TextTable table;
-  table.title = fmt::format("{}\n{}\nHow far {} could be driven towards {:g}, N = {}", first.case_id,
-                            indented_lines(first.parameters), first.parameter, first.to.value_or(NAN),
+  table.title = fmt::format("{}{}{}\nHow far {} could be driven towards {:g}, N = {}", first.case_id,
+                            first.parameters.empty() ? "" : "\n  ", first.parameters, first.parameter, first.to.value_or(NAN),
                             first.resolution);
   table.header = names.header();
   for (char const* name : {"layout", "held to", "failed at", "how"}) table.header.emplace_back(name);
@@ -149,6 +149,10 @@ std::vector<TextTable> envelope_tables(std::vector<EnvelopeRow> const& rows) {
   return tables;
 }
 
+std::vector<LegendEntry> envelopes_legend() {
+  return {{"*", "held furthest"}, {"", "A range is that of the seeds, the worst first."}};
+}
+
 std::string envelopes_csv(std::vector<EnvelopeRow> const& rows) {
   TextTable table;
   for (auto const& [name, value] : words_of(EnvelopeRow{})) table.header.push_back(name);
@@ -158,7 +162,7 @@ std::string envelopes_csv(std::vector<EnvelopeRow> const& rows) {
     for (auto& [name, value] : words_of(row)) cells.push_back(std::move(value));
     for (auto const& [name, value] : numbers_of(row)) cells.push_back(value ? fmt::format("{}", *value) : "");
   }
-  return render(table, TableFormat::csv, false);
+  return render(table, {TableFormat::csv});
 }
 
 Json envelopes_json(std::vector<EnvelopeRow> const& rows) {

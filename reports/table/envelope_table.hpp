@@ -5,6 +5,7 @@
 
 #include "reports/json/node.hpp"
 #include "reports/table/compare.hpp"
+#include "reports/table/legend.hpp"
 #include "reports/table/setting.hpp"
 #include "reports/table/text_table.hpp"
 
@@ -25,6 +26,9 @@ std::vector<EnvelopeRow> envelope_rows(std::vector<NamedResults> const& document
 /// Per case and parameter: the furthest value that held, the nearest that failed and how; of a layout drawn
 /// by lot from the worst to the best of its seeds.
 std::vector<TextTable> envelope_tables(std::vector<EnvelopeRow> const& rows);
+
+/// What its marks mean.
+std::vector<LegendEntry> envelopes_legend();
 
 /// A line, or an entry, per envelope with its numbers in full.
 std::string envelopes_csv(std::vector<EnvelopeRow> const& rows);

@@ -17,18 +17,18 @@ std::string in_markdown(std::vector<LegendEntry> const& entries) {
 }
 
 /// Several marks to a line as they fit; a sentence has lines of its own.
-std::string in_lines(std::vector<LegendEntry> const& entries) {
+std::string in_lines(std::vector<LegendEntry> const& entries, std::size_t columns) {
   constexpr std::size_t gap = 3;
   std::vector<std::string> lines;
   bool is_open = false;  // whether the last line may take another mark
   for (auto const& [mark, meaning] : entries) {
     if (mark.empty()) {
-      for (std::string& line : lines_of_words(meaning, terminal_columns)) lines.push_back(std::move(line));
+      for (std::string& line : lines_of_words(meaning, columns)) lines.push_back(std::move(line));
       is_open = false;
       continue;
     }
     std::string const entry = mark + ": " + meaning;
-    if (is_open && text_width(lines.back()) + gap + text_width(entry) <= terminal_columns) {
+    if (is_open && text_width(lines.back()) + gap + text_width(entry) <= columns) {
       lines.back() += std::string(gap, ' ') + entry;
     } else {
       lines.push_back(entry);
@@ -40,8 +40,8 @@ std::string in_lines(std::vector<LegendEntry> const& entries) {
 
 }  // namespace
 
-std::string legend(std::vector<LegendEntry> const& entries, TableFormat format) {
-  return format == TableFormat::markdown ? in_markdown(entries) : in_lines(entries);
+std::string legend(std::vector<LegendEntry> const& entries, TextStyle const& style) {
+  return style.format == TableFormat::markdown ? in_markdown(entries) : in_lines(entries, style.columns);
 }
 
 }  // namespace sphverify

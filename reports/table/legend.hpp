@@ -13,6 +13,6 @@ struct LegendEntry {
 };
 
 /// What stands below tables: on a terminal in lines of marks, in Markdown a list.
-std::string legend(std::vector<LegendEntry> const& entries, TableFormat format);
+std::string legend(std::vector<LegendEntry> const& entries, TextStyle const& style);
 
 }  // namespace sphverify

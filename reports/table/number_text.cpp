@@ -56,17 +56,17 @@ std::vector<std::string> lines_of_words(std::string const& words, std::size_t co
   return lines;
 }
 
-std::string hanging_lines(std::string const& head, std::string const& words, std::size_t column) {
+std::string hanging_lines(std::string const& head, std::string const& words, std::size_t column,
+                          std::size_t columns) {
   std::string text;
-  for (std::string const& line : lines_of_words(words, terminal_columns - column))
+  for (std::string const& line : lines_of_words(words, columns - std::min(columns, column)))
     text += (text.empty() ? head : std::string(column, ' ')) + line + "\n";
   return text;
 }
 
-std::string indented_lines(std::string const& words) {
-  std::string text;
-  for (std::string const& line : lines_of_words(words, terminal_columns - 4))
-    text += (text.empty() ? "  " : "\n  ") + line;
+std::string indented_lines(std::string const& words, std::size_t columns) {
+  std::string text = hanging_lines("  ", words, 2, columns);
+  text.pop_back();
   return text;
 }
 

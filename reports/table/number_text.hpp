@@ -6,9 +6,6 @@
 
 namespace sphverify {
 
-/// Columns that a terminal has at the least: what tables keep within.
-inline constexpr std::size_t terminal_columns = 100;
-
 /// 4.9e-3: short enough for a column each. A number that does not exist is "-", one beyond all is "fails".
 std::string scientific(Number const& value);
 
@@ -24,10 +21,11 @@ std::size_t text_width(std::string const& text);
 /// Words in lines of at most so many columns; a longer word stands alone.
 std::vector<std::string> lines_of_words(std::string const& words, std::size_t columns);
 
-/// A head and words in lines that fit a terminal; all but the first line begin at a column.
-std::string hanging_lines(std::string const& head, std::string const& words, std::size_t column);
+/// A head and words in lines of so many columns; all but the first line begin at a column.
+std::string hanging_lines(std::string const& head, std::string const& words, std::size_t column,
+                          std::size_t columns);
 
-/// Words in lines that fit a terminal, indented.
-std::string indented_lines(std::string const& words);
+/// Words in lines of so many columns, indented; none at the end.
+std::string indented_lines(std::string const& words, std::size_t columns);
 
 }  // namespace sphverify

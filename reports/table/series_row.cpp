@@ -1,6 +1,7 @@
 #include "reports/table/series_row.hpp"
 
 #include <fmt/format.h>
+#include <gsl/gsl_cdf.h>
 
 #include <algorithm>
 #include <array>
@@ -163,6 +164,19 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
   if (failed > 0) row.failures = fmt::format("{} {}/{}", status, failed, members);
 }
 
+/// What the fitted law says beyond the levels.
+void read_law(ObservedOrder const& observed, SeriesRow& row) {
+  if (observed.floor) {
+    double const scale = row.error && row.relative_error ? *row.error / *row.relative_error : 1.0;
+    row.floor = observed.floor->value / scale;
+    row.floor_low = observed.floor->lower / scale;
+    row.floor_high = observed.floor->upper / scale;
+  }
+  for (TargetResolution const& target : observed.targets) {
+    if (target.relative && *target.relative == 0.01) row.percent_target = target;
+  }
+}
+
 void read_order(Series const& series, std::vector<RunRecord> const& runs, std::string const& region,
                 std::string const& norm, SeriesRow& row) {
   OrderEntry const* entry = nullptr;
@@ -179,11 +193,16 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
   row.norm = norm;
   row.verdict = entry->observed.verdict;
   row.order = entry->observed.order;
-  if (entry->observed.lower && entry->observed.upper) {
-    row.half_width = 0.5 * (*entry->observed.upper - *entry->observed.lower);
-  }
+  row.lower = entry->observed.lower;
+  row.upper = entry->observed.upper;
+  if (row.lower && row.upper) row.half_width = 0.5 * (*row.upper - *row.lower);
   for (SeriesLevel const& level : entry->levels) {
-    if (level.resolution == row.finest) row.error = level.error;
+    if (level.resolution != row.finest) continue;
+    row.error = level.error;
+    if (level.spread && level.replicates > 1) {
+      double const n = level.replicates;
+      row.seed_half_width = gsl_cdf_tdist_Pinv(0.975, n - 1.0) * *level.spread / std::sqrt(n);
+    }
   }
   for (std::size_t const index : series.runs) {
     auto const field = runs[index].errors.find(entry->field);
@@ -192,7 +211,9 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
     if (found == field->second.end()) continue;
     double const scale = norm_of(found->second.scale, norm);
     if (scale > 0.0) row.relative_error = *row.error / scale;
+    raise(row.round_off, found->second.round_off);
   }
+  read_law(entry->observed, row);
   for (TimeToError const& t : series.time_to_error) {
     if (t.field != row.field || t.region != region || t.norm != norm) continue;
     if (t.relative == 0.01) row.to_percent = {t.seconds, t.median, t.is_bound};
@@ -206,14 +227,15 @@ SeriesRow series_row(NamedResults const& document, Series const& series, std::st
                      std::string const& norm, std::optional<int> resolution) {
   std::vector<RunRecord> const& runs = document.results.runs;
   SeriesRow row;
-  row.document = document.name;
+  static_cast<Setting&>(row) = setting_of(document.name, series);
   row.case_id = series.case_id;
   row.parameters = parameters_text(series.parameters);
   row.formulation = series.label;
-  row.choice = series.formulation;
-  row.discretisation = series.discretisation;
-  row.smoothing_exponent = series.smoothing_exponent;
-  for (std::size_t const index : series.runs) row.finest = std::max(row.finest, runs[index].resolution);
+  for (std::size_t const index : series.runs) {
+    row.finest = std::max(row.finest, runs[index].resolution);
+    row.first_resolution = std::min(row.first_resolution > 0 ? row.first_resolution : row.finest,
+                                    runs[index].resolution);
+  }
   row.finest = resolution.value_or(row.finest);
   read_runs(series, runs, row);
   row.discontinuous = series.discontinuous;

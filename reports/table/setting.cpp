@@ -32,6 +32,27 @@ std::set<std::string> forms_with_several(std::vector<Setting> const& settings,
 
 }  // namespace
 
+Setting setting_of(std::string document, Series const& series) {
+  Setting setting{std::move(document), series.formulation, series.discretisation, series.smoothing_exponent};
+  for (OrderEntry const& order : series.orders) {
+    for (SeriesLevel const& level : order.levels) {
+      if (setting.first_resolution == 0 || level.resolution < setting.first_resolution)
+        setting.first_resolution = level.resolution;
+    }
+  }
+  return setting;
+}
+
+std::string smoothing_text(Setting const& setting) {
+  std::string const ratio = fmt::format("h/dx {:g}", setting.discretisation.smoothing_ratio);
+  if (setting.smoothing_exponent == 0.0) return ratio;
+  std::string const first =
+      setting.first_resolution == 0 ? "N0" : fmt::format("{}", setting.first_resolution);
+  return fmt::format("{} (N/{})^{:g}", ratio, first, setting.smoothing_exponent);
+}
+
+bool is_drawn(LayoutChoice const& layout) { return layout.id == "jittered" || layout.id == "glass"; }
+
 std::string layout_name(LayoutChoice const& layout) {
   if (layout.id == "jittered") return fmt::format("jitter {:g}", layout.amplitude);
   bool const has_distance = layout.id == "clumped" || layout.id == "touching";
@@ -60,7 +81,8 @@ std::string parameters_text(std::map<std::string, ParameterValue> const& paramet
 
 std::vector<std::pair<std::string, std::string>> setting_words(Setting const& setting) {
   Discretisation const& d = setting.discretisation;
-  return {{"density", d.density},
+  return {{"kernel", d.kernel},
+          {"density", d.density},
           {"layout", layout_name(d.layout)},
           {"face_weight", d.face_weight},
           {"closure", d.closure},
@@ -96,8 +118,9 @@ SettingNames::SettingNames(std::vector<Setting> const& settings)
     }
     if (values.size() > 1) varying_.push_back(choice);
   }
-  ratio_varies_ = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) {
-    return s.discretisation.smoothing_ratio != settings.front().discretisation.smoothing_ratio;
+  smoothing_varies_ = std::any_of(settings.begin(), settings.end(), [&](Setting const& s) {
+    return s.discretisation.smoothing_ratio != settings.front().discretisation.smoothing_ratio ||
+           s.smoothing_exponent != settings.front().smoothing_exponent;
   });
 }
 
@@ -107,7 +130,7 @@ std::string SettingNames::formulation(Setting const& setting) const {
   if (!choice.work.empty() && several_works_.contains(choice.id)) name += " + " + without_room(choice.work);
   if (!choice.conduction.empty() && several_conductions_.contains(choice.id))
     name += " + " + without_room(choice.conduction);
-  return choice.walls ? name : name + " (off)";
+  return choice.walls ? name : name + " (walls off)";
 }
 
 std::vector<std::string> SettingNames::row(Setting const& setting) const {
@@ -127,8 +150,7 @@ std::vector<std::string> SettingNames::header() const {
 
 std::string SettingNames::column(Setting const& setting) const {
   std::string name = layout_name(setting.discretisation.layout);
-  if (ratio_varies_) name += fmt::format(" {:g}", setting.discretisation.smoothing_ratio);
-  if (setting.smoothing_exponent != 0.0) name += fmt::format(" q={:g}", setting.smoothing_exponent);
+  if (smoothing_varies_ || setting.smoothing_exponent != 0.0) name += ", " + smoothing_text(setting);
   return name;
 }
 

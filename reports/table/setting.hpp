@@ -16,10 +16,18 @@ struct Setting {
   FormulationChoice choice;
   Discretisation discretisation;
   double smoothing_exponent = 0.0;
+  int first_resolution = 0;  ///< where h/dx is the nominal ratio; 0: not known
 };
 
+/// Of a series, in a document of that name.
+Setting setting_of(std::string document, Series const& series);
+
+/// Whether particles are drawn by lot, so that a seed belongs to them.
+bool is_drawn(LayoutChoice const& layout);
 std::string layout_name(LayoutChoice const& layout);
 std::string viscosity_name(ViscosityChoice const& viscosity);
+/// "h/dx 1.2", or of a refinement path "h/dx 1.2 (N/25)^0.5".
+std::string smoothing_text(Setting const& setting);
 std::string parameters_text(std::map<std::string, ParameterValue> const& parameters);
 
 /// The choices of a setting, all of them, for documents that programs read.
@@ -30,7 +38,7 @@ class SettingNames {
  public:
   explicit SettingNames(std::vector<Setting> const& settings);
 
-  /// "brookshaw", "p-rho2 + total (off)": a partner is named only where the form has several of its kind.
+  /// "brookshaw", "p-rho2 + total (walls off)": a partner is named only where the form has several of its kind.
   std::string formulation(Setting const& setting) const;
 
   /// Formulation, and the choices that differ.
@@ -38,7 +46,7 @@ class SettingNames {
   /// The names of these columns.
   std::vector<std::string> header() const;
 
-  /// Layout and refinement path.
+  /// Layout, and h/dx where it grows or differs among them.
   std::string column(Setting const& setting) const;
 
  private:
@@ -51,7 +59,7 @@ class SettingNames {
   static std::vector<Choice> const& choices();
 
   std::vector<Choice> varying_;
-  bool ratio_varies_ = false;
+  bool smoothing_varies_ = false;
   std::set<std::string> several_works_, several_conductions_;  ///< forms that have several partners of a kind
 };
 

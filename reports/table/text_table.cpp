@@ -24,8 +24,8 @@ std::string marked(TextTable const& table, std::size_t row, std::size_t column) 
 }
 
 /// The columns in blocks that fit a terminal; each begins with the labels.
-std::vector<std::vector<std::size_t>> blocks_of(TextTable const& table,
-                                                std::vector<std::size_t> const& width) {
+std::vector<std::vector<std::size_t>> blocks_of(TextTable const& table, std::vector<std::size_t> const& width,
+                                                std::size_t columns) {
   std::vector<std::size_t> labels;
   std::size_t label_width = 0;  // with the gaps behind them
   for (std::size_t c = 0; c < table.label_columns; ++c) {
@@ -35,7 +35,7 @@ std::vector<std::vector<std::size_t>> blocks_of(TextTable const& table,
   std::vector<std::vector<std::size_t>> blocks{labels};
   std::size_t taken = label_width;
   for (std::size_t c = table.label_columns; c < width.size(); ++c) {
-    if (taken + width[c] > terminal_columns && blocks.back().size() > labels.size()) {
+    if (taken + width[c] > columns && blocks.back().size() > labels.size()) {
       blocks.push_back(labels);
       taken = label_width;
     }
@@ -45,14 +45,47 @@ std::vector<std::vector<std::size_t>> blocks_of(TextTable const& table,
   return blocks;
 }
 
-std::string render_terminal(TextTable const& table, bool colour) {
-  std::vector<std::size_t> width;
-  for (std::string const& name : table.header) width.push_back(text_width(name));
-  for (std::size_t r = 0; r < table.rows.size(); ++r) {
-    for (std::size_t c = 0; c < table.rows[r].size(); ++c)
-      width[c] = std::max(width[c], text_width(marked(table, r, c)));
+/// Lines of a title in lines that fit.
+std::string title_of(std::string const& title, std::size_t columns) {
+  std::string text;
+  for (std::size_t start = 0; start <= title.size();) {
+    std::size_t const end = std::min(title.find('\n', start), title.size());
+    std::size_t const words = std::min(title.find_first_not_of(' ', start), end);
+    std::string const indent(words - start, ' ');
+    text += hanging_lines(indent, title.substr(words, end - words), indent.size(), columns);
+    start = end + 1;
   }
-  std::string text = table.title + "\n";
+  return text;
+}
+
+/// A table whose columns have widths and whose names have lines.
+struct Laid {
+  std::vector<std::size_t> width;
+  std::vector<std::vector<std::string>> names;  ///< of each column, as many lines as it takes
+
+  explicit Laid(TextTable const& table) {
+    for (std::string const& name : table.header) {
+      std::size_t widest = 0;  // of its words, which stay whole
+      for (std::string const& word : lines_of_words(name, 1)) widest = std::max(widest, text_width(word));
+      width.push_back(widest);
+    }
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+      for (std::size_t c = 0; c < table.rows[r].size(); ++c)
+        width[c] = std::max(width[c], text_width(marked(table, r, c)));
+    }
+    for (std::size_t c = 0; c < width.size(); ++c) names.push_back(lines_of_words(table.header[c], width[c]));
+  }
+
+  /// The line of a column's name, the last of all columns on the same height.
+  std::string name(std::size_t column, std::size_t line, std::size_t lines) const {
+    std::size_t const above = lines - names[column].size();
+    return line < above ? "" : names[column][line - above];
+  }
+};
+
+std::string render_terminal(TextTable const& table, TextStyle const& style) {
+  Laid const laid(table);
+  std::string text = table.title.empty() ? "" : title_of(table.title, style.columns);
   auto const line = [&](std::vector<std::size_t> const& columns, auto const& cell) {
     std::string row;
     for (std::size_t const c : columns) row += (c == 0 ? "" : "  ") + cell(c);
@@ -60,23 +93,40 @@ std::string render_terminal(TextTable const& table, bool colour) {
     text += row + "\n";
   };
   bool is_first = true;
-  for (auto const& columns : blocks_of(table, width)) {
+  for (auto const& columns : blocks_of(table, laid.width, style.columns)) {
     if (!is_first) text += "\n";
+    bool const has_notes = is_first && !table.notes.empty();
     is_first = false;
-    line(columns, [&](std::size_t c) { return padded(table.header[c], width[c]); });
-    line(columns, [&](std::size_t c) { return std::string(width[c], '-'); });
+    std::size_t lines = 1;
+    for (std::size_t const c : columns) lines = std::max(lines, laid.names[c].size());
+    for (std::size_t k = 0; k < lines; ++k)
+      line(columns, [&](std::size_t c) { return padded(laid.name(c, k, lines), laid.width[c]); });
+    line(columns, [&](std::size_t c) { return std::string(laid.width[c], '-'); });
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       line(columns, [&](std::size_t c) {
-        std::string const cell = padded(marked(table, r, c), width[c]);
-        return colour && is_best(table, r, c) ? "\x1b[1;32m" + cell + "\x1b[0m" : cell;
+        std::string const cell = padded(marked(table, r, c), laid.width[c]);
+        return style.colour && is_best(table, r, c) ? "\x1b[1;32m" + cell + "\x1b[0m" : cell;
       });
+      if (has_notes && !table.notes[r].empty()) text += hanging_lines("  ", table.notes[r], 2, style.columns);
     }
   }
   return text;
 }
 
+/// Notes as a last column.
+TextTable with_notes_beside(TextTable table) {
+  if (table.notes.empty()) return table;
+  table.header.push_back(table.note_name);
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    table.rows[r].push_back(table.notes[r]);
+    if (!table.best.empty()) table.best[r].push_back(false);
+  }
+  return table;
+}
+
 std::string render_markdown(TextTable const& table) {
-  std::string text = fmt::format("### {}\n\n| {} |\n|", table.title, fmt::join(table.header, " | "));
+  std::string text = table.title.empty() ? "" : fmt::format("### {}\n\n", table.title);
+  text += fmt::format("| {} |\n|", fmt::join(table.header, " | "));
   for (std::size_t c = 0; c < table.header.size(); ++c) text += "---|";
   text += "\n";
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
@@ -107,14 +157,14 @@ std::string render_csv(TextTable const& table) {
 
 }  // namespace
 
-std::string render(TextTable const& table, TableFormat format, bool colour) {
-  switch (format) {
+std::string render(TextTable const& table, TextStyle const& style) {
+  switch (style.format) {
     case TableFormat::markdown:
-      return render_markdown(table);
+      return render_markdown(with_notes_beside(table));
     case TableFormat::csv:
-      return render_csv(table);
+      return render_csv(with_notes_beside(table));
     default:
-      return render_terminal(table, colour);
+      return render_terminal(table, style);
   }
 }
 

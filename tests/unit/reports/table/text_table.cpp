@@ -18,7 +18,7 @@ TextTable wide(std::size_t columns) {
 }
 
 BOOST_AUTO_TEST_CASE(a_table_wider_than_a_terminal_is_broken_into_blocks_that_repeat_the_labels) {
-  std::istringstream text(render(wide(20), TableFormat::table, false));
+  std::istringstream text(render(wide(20), {TableFormat::table, false, 100}));
   std::size_t headers = 0;
   std::string all;
   for (std::string line; std::getline(text, line); all += line + "\n") {
@@ -37,7 +37,7 @@ BOOST_AUTO_TEST_CASE(a_table_that_fits_is_one_block_to_the_last_column) {
   auto const headers = [](std::size_t width) {
     TextTable table{"title", {"label", std::string(width, 'x')}, {}, 1, {}};
     table.header.emplace_back("y");
-    std::string const text = render(table, TableFormat::table, false);
+    std::string const text = render(table, {TableFormat::table, false, 100});
     std::size_t count = 0;
     for (std::size_t at = 0; (at = text.find("label", at)) != std::string::npos; ++at) ++count;
     return count;
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(a_table_that_fits_is_one_block_to_the_last_column) {
 }
 
 BOOST_AUTO_TEST_CASE(other_formats_are_never_broken) {
-  std::string const text = render(wide(20), TableFormat::csv, false);
+  std::string const text = render(wide(20), {TableFormat::csv});
   BOOST_TEST(std::count(text.begin(), text.end(), '\n') == 3);
 }
 

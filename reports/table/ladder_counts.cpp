@@ -1,4 +1,4 @@
-#include "reports/table/summary_table.hpp"
+#include "reports/table/ladder_counts.hpp"
 
 #include <fmt/format.h>
 
@@ -9,9 +9,9 @@
 
 namespace sphverify {
 
-TextTable summary_table(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
+TextTable ladder_counts(std::vector<SeriesRow> const& rows, CompareOptions const& options) {
   TextTable table;
-  table.title = fmt::format("Summary over all cases and discretisations ({} error, region {})",
+  table.title = fmt::format("All ladders, whatever their setting: how they ended ({} error, region {})",
                             options.norm.empty() ? "l1 at jumps, else l2" : options.norm, options.region);
   table.header = {"formulation", "ladders", "settled", "unsettled", "floored",
                   "diverge",     "fail",    "median",  "worst",     "wall flux"};

@@ -83,8 +83,8 @@ void add_compare(CLI::App& app) {
   sub->add_option("RESULTS.json", command->documents, "Results documents")->required();
   sub->add_option("--format", command->format, "table, markdown, csv or json")
       ->check(CLI::IsMember({"table", "markdown", "csv", "json"}));
-  sub->add_option("--region", command->options.region, "all, interior, wall or corner")
-      ->check(CLI::IsMember({"all", "interior", "wall", "corner"}));
+  sub->add_option("--region", command->options.region, "all, interior, wall, corner or smooth")
+      ->check(CLI::IsMember({"all", "interior", "wall", "corner", "smooth"}));
   sub->add_option("--norm", command->options.norm,
                   "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
       ->check(CLI::IsMember({"l1", "l2", "linf"}));

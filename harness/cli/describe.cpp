@@ -30,7 +30,8 @@ std::string indented(std::string const& text) {
   for (std::string line; std::getline(lines, line);) {
     std::size_t const blanks = std::min(line.find_first_not_of(' '), line.size());
     std::string const head(2 + blanks, ' ');
-    out += is_terminal ? hanging_lines(head, line.substr(blanks), head.size() + 2, columns) : "  " + line + "\n";
+    out +=
+        is_terminal ? hanging_lines(head, line.substr(blanks), head.size() + 2, columns) : "  " + line + "\n";
   }
   return out;
 }

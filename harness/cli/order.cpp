@@ -4,6 +4,7 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/measure/ladder_table.hpp"
+#include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/number_text.hpp"
 #include "reports/table/text_table.hpp"
@@ -55,14 +56,15 @@ std::string readable(std::vector<JudgedColumn> const& columns, OrderCommand cons
   TextTable table;
   table.header = {"column", "verdict", "order", "floor"};
   for (double const target : command.targets) table.header.push_back(fmt::format("N for {:g}", target));
+  std::size_t const width = known_columns().value_or(usual_columns);
   std::string reasons;
   for (JudgedColumn const& column : columns) {
     auto& cells = table.rows.emplace_back(std::vector<std::string>{
         column.name, column.observed.verdict, order_text(column.observed), floor_text(column.observed)});
     for (TargetResolution const& target : column.observed.targets) cells.push_back(target_text(target));
-    reasons += hanging_lines(column.name + ": ", column.observed.reason, 2);
+    reasons += hanging_lines(column.name + ": ", column.observed.reason, 2, width);
   }
-  return render(table, TableFormat::table, false) + "\n" + reasons;
+  return render(table, {TableFormat::table, false, width}) + "\n" + reasons;
 }
 
 Json json(std::vector<JudgedColumn> const& columns) {

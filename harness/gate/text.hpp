@@ -16,8 +16,8 @@ std::string fitted(std::string const& text, std::size_t width);
 /// A text that came from elsewhere, on one line.
 std::string without_control(std::string text);
 
-/// Words on lines of at most so many columns, each with its newline: the first indented by two blanks, further
-/// ones by four.
+/// Words on lines of at most so many columns, each with its newline: the first indented by two blanks,
+/// further ones by four.
 std::string wrapped(std::string const& text, std::size_t columns = widest_line);
 
 }  // namespace sphverify

@@ -68,10 +68,9 @@ Outcome outcome_of(SeriesRow const* ladder) {
 }
 
 Number error_of(SeriesRow const& ladder) {
-  if (!ladder.failures.empty() || !ladder.error) return std::nullopt;
-  double const scale = ladder.relative_error && *ladder.relative_error > 0.0
-                           ? *ladder.error / *ladder.relative_error
-                           : 1.0;
+  if (!ladder.failures.empty() || !ladder.error || !std::isfinite(*ladder.error)) return std::nullopt;
+  double const scale =
+      ladder.relative_error && *ladder.relative_error > 0.0 ? *ladder.error / *ladder.relative_error : 1.0;
   double const rounding = std::max(ladder.round_off.value_or(0.0), std::numeric_limits<double>::min());
   return std::max(*ladder.error, rounding) / scale;
 }

@@ -29,7 +29,7 @@ Score score_of(std::vector<SeriesRow const*> const& ladders);
 struct BestSetting {
   std::vector<std::string> choices;       ///< names of what was varied on a case
   std::vector<SeriesRow const*> ladders;  ///< per scene, null where that setting did not run
-  std::size_t tried = 0;  ///< settings that ran on all of the formulation's scenes
+  std::size_t tried = 0;                  ///< settings that ran on all of the formulation's scenes
 };
 
 /// The best of the settings that one formulation ran with. What has one value only on a case, such as a

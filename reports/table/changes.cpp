@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "reports/table/changes_match.hpp"
 #include "reports/table/series_row.hpp"
 
 namespace sphverify {
@@ -29,79 +30,6 @@ constexpr char const* timed_out = "timed-out";
 constexpr std::array<char const*, 10> measures{
     "status",       "error",         "order",        "verdict",        "wall flux",
     "wall impulse", "shock plateau", "energy drift", "momentum drift", "time error share"};
-
-/// A parameter that only one document's version knows does not count.
-bool agree(std::map<std::string, ParameterValue> const& a, std::map<std::string, ParameterValue> const& b) {
-  return std::all_of(a.begin(), a.end(), [&](auto const& entry) {
-    auto const other = b.find(entry.first);
-    return other == b.end() || other->second == entry.second;
-  });
-}
-
-Discretisation without_seed(Discretisation d) {
-  d.layout.seed = 0;
-  return d;
-}
-
-bool may_match(Series const& a, Series const& b) {
-  return a.case_id == b.case_id && a.formulation == b.formulation &&
-         without_seed(a.discretisation) == without_seed(b.discretisation) &&
-         a.smoothing_exponent == b.smoothing_exponent && agree(a.parameters, b.parameters);
-}
-
-bool may_match(Envelope const& a, Envelope const& b) {
-  return a.case_id == b.case_id && a.formulation == b.formulation && a.parameter == b.parameter &&
-         a.discretisation == b.discretisation && a.resolution == b.resolution &&
-         a.logarithmic == b.logarithmic && agree(a.parameters, b.parameters);
-}
-
-/// Items of two documents that are the same, by the later one: those with the same parameters, and of what is
-/// left those with no other value of any, where each is the other's only choice.
-template <class Item>
-std::map<Item const*, Item const*> matches(std::vector<Item> const& before, std::vector<Item> const& after) {
-  std::map<Item const*, Item const*> found;
-  std::set<Item const*> taken;  // of both documents
-  auto const match = [&](Item const& a, Item const& b) {
-    found[&b] = &a;
-    taken.insert({&a, &b});
-  };
-  for (Item const& b : after) {
-    auto const a = std::find_if(before.begin(), before.end(), [&](Item const& one) {
-      return !taken.contains(&one) && may_match(one, b) && one.parameters == b.parameters;
-    });
-    if (a != before.end()) match(*a, b);
-  }
-  auto const only_choice = [&](Item const& item, std::vector<Item> const& others) -> Item const* {
-    Item const* choice = nullptr;
-    for (Item const& other : others) {
-      if (taken.contains(&other) || !may_match(item, other)) continue;
-      if (choice != nullptr) return nullptr;
-      choice = &other;
-    }
-    return choice;
-  };
-  for (Item const& b : after) {
-    Item const* const a = taken.contains(&b) ? nullptr : only_choice(b, before);
-    if (a != nullptr && only_choice(*a, after) == &b) match(*a, b);
-  }
-  return found;
-}
-
-std::string name_of(std::string const& case_id, std::map<std::string, ParameterValue> const& parameters,
-                    std::string const& label, Setting const& setting) {
-  std::string const column = SettingNames({setting}).column(setting);
-  return fmt::format("{} {}: {}, {}, {}", case_id, parameters_text(parameters), label,
-                     setting.discretisation.density, column);
-}
-
-std::string name_of(Series const& s) {
-  return name_of(s.case_id, s.parameters, s.label, setting_of("", s));
-}
-
-std::string name_of(Envelope const& e) {
-  return name_of(e.case_id, e.parameters, e.label, {"", e.formulation, e.discretisation, 0.0, e.resolution}) + ", " +
-         e.parameter;
-}
 
 /// The runs of a series at one resolution.
 struct Level {
@@ -433,27 +361,6 @@ void compare_envelopes(Envelope const& a, Envelope const& b, Changes& changes) {
   double const noise = std::max(bracket(a), bracket(b));
   if (!b.logarithmic && a.held && noise > 0.0) size = std::abs(*b.held - *a.held) / noise;
   collect.number("held to", a.held, b.held, noise, goes_up(a, b), size);
-}
-
-/// Calls back for every pair, and names what only one document has.
-template <class Item, class Compare>
-void match_all(std::vector<Item> const& before, std::vector<Item> const& after, Changes& changes,
-               Compare const& compare) {
-  auto const partners = matches(before, after);
-  std::set<Item const*> taken;
-  for (Item const& b : after) {
-    auto const a = partners.find(&b);
-    if (a == partners.end()) {
-      changes.only_after.push_back(name_of(b));
-      continue;
-    }
-    ++changes.in_both;
-    taken.insert(a->second);
-    compare(*a->second, b);
-  }
-  for (Item const& a : before) {
-    if (!taken.contains(&a)) changes.only_before.push_back(name_of(a));
-  }
 }
 
 Changes compare_two(NamedResults const& before, NamedResults const& after, std::string const& region,

@@ -184,9 +184,11 @@ std::string changes_text(Changes const& changes, CompareOptions const& options) 
   text += names_text(changes.only_after, "only in " + changes.after->name, columns);
   text += names_text(changes.not_comparable, "in both, without a level or a range that is the same", columns);
   if (changes.same_machine && changes.not_repeated > 0)
-    text += fmt::format(
-        "The same build on the same machine: {} numbers and words should have repeated exactly.\n",
-        changes.not_repeated);
+    text += hanging_lines("",
+                          fmt::format("The same build on the same machine: {} numbers and words should have "
+                                      "repeated exactly.",
+                                      changes.not_repeated),
+                          0, columns);
   text += "\n";
   if (changes.in_both == 0) return text;
   text += counts_text(changes, options);

@@ -30,7 +30,7 @@ std::string json(Comparison const& comparison) {
                    {"documents", Json::array()}};
   for (NamedResults const& one : comparison.documents) document["documents"].push_back(context_json(one));
   for (Section const& section : sections()) {
-    if (section.is_unasked || is_wanted(section, options)) document[section.name] = section.json(comparison);
+    if (section.is_unasked || is_wanted(section, options)) document[section.key] = section.json(comparison);
   }
   return document_text(document);
 }

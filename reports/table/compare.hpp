@@ -24,9 +24,10 @@ struct NamedResults {
   Results results;
 };
 
-/// Formulations side by side, in the sections of reports/table/sections.hpp. On a terminal and in Markdown one
-/// after the other, the answer first; CSV is the table of one section (by default of the series, or of the
-/// envelopes where there are no series); JSON holds all sections that are shown unasked, and the one asked for.
+/// Formulations side by side, in the sections of reports/table/sections.hpp. On a terminal and in Markdown
+/// one after the other, the answer first; CSV is the table of one section (by default of the series, or of
+/// the envelopes where there are no series); JSON holds all sections that are shown unasked, and the one
+/// asked for.
 std::string compare(std::vector<NamedResults> const& documents, CompareOptions const& options);
 
 }  // namespace sphverify

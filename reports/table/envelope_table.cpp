@@ -60,8 +60,8 @@ TextTable table_of(std::vector<EnvelopeRow> const& rows) {
   EnvelopeRow const& first = rows.front();
   TextTable table;
   table.title = fmt::format("{}{}{}\nHow far {} could be driven towards {:g}, N = {}", first.case_id,
-                            first.parameters.empty() ? "" : "\n  ", first.parameters, first.parameter, first.to.value_or(NAN),
-                            first.resolution);
+                            first.parameters.empty() ? "" : "\n  ", first.parameters, first.parameter,
+                            first.to.value_or(NAN), first.resolution);
   table.header = names.header();
   for (char const* name : {"layout", "held to", "failed at", "how"}) table.header.emplace_back(name);
   if (has_seeds) table.header.emplace_back("seeds");

@@ -7,7 +7,8 @@
 
 namespace sphverify {
 
-/// Over everything that was run, at every setting: how often each formulation converged, and how near it came.
+/// Over everything that was run, at every setting: how often each formulation converged, and how near it
+/// came.
 TextTable ladder_counts(std::vector<SeriesRow> const& rows, CompareOptions const& options);
 
 }  // namespace sphverify

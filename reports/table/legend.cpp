@@ -28,6 +28,11 @@ std::string in_lines(std::vector<LegendEntry> const& entries, std::size_t column
       continue;
     }
     std::string const entry = mark + ": " + meaning;
+    if (text_width(entry) > columns) {
+      for (std::string const& line : lines_of_words(entry, columns)) lines.push_back(line);
+      is_open = false;
+      continue;
+    }
     if (is_open && text_width(lines.back()) + gap + text_width(entry) <= columns) {
       lines.back() += std::string(gap, ' ') + entry;
     } else {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tuple>
 
@@ -42,20 +43,23 @@ std::vector<int> first_resolutions(Results const& results) {
   return first;
 }
 
+/// A number that is none is not written.
+Number finite(double value) { return std::isfinite(value) ? Number(value) : Number(); }
+
 void add_error(LevelRow& row, RegionError const& error) {
-  row.l1 = error.error.l1;
-  row.l2 = error.error.l2;
-  row.linf = error.error.linf;
-  row.scale_l1 = error.scale.l1;
-  row.scale_l2 = error.scale.l2;
-  row.scale_linf = error.scale.linf;
+  row.l1 = finite(error.error.l1);
+  row.l2 = finite(error.error.l2);
+  row.linf = finite(error.error.linf);
+  row.scale_l1 = finite(error.scale.l1);
+  row.scale_l2 = finite(error.scale.l2);
+  row.scale_linf = finite(error.scale.linf);
   if (error.initial) {
-    row.initial_l1 = error.initial->l1;
-    row.initial_l2 = error.initial->l2;
-    row.initial_linf = error.initial->linf;
+    row.initial_l1 = finite(error.initial->l1);
+    row.initial_l2 = finite(error.initial->l2);
+    row.initial_linf = finite(error.initial->linf);
   }
-  row.mean = error.mean;
-  row.round_off = error.round_off;
+  if (error.mean) row.mean = finite(*error.mean);
+  row.round_off = finite(error.round_off);
 }
 
 /// Commas and quotation marks would need a reader that knows of quoting.
@@ -73,9 +77,9 @@ Number whole(std::size_t n) { return static_cast<double>(n); }
 
 std::vector<std::pair<std::string, std::string>> words_of(LevelRow const& row) {
   std::vector<std::pair<std::string, std::string>> words{
-      {"results", plain(row.document)}, {"case", row.case_id},
+      {"results", plain(row.document)},      {"case", row.case_id},
       {"parameters", plain(row.parameters)}, {"label", row.label},
-      {"formulation", row.formulation}, {"work", row.choice.work},
+      {"formulation", row.formulation},      {"work", row.choice.work},
       {"conduction", row.choice.conduction}, {"walls", row.choice.walls ? "on" : "off"}};
   for (auto& choice : setting_words(row)) {
     // Numbers of a program's own are numbers here.
@@ -110,32 +114,35 @@ std::vector<std::pair<std::string, Number>> numbers_of(LevelRow const& row) {
 }
 
 /// What one table shows.
-auto key_of(LevelRow const& row) { return std::tie(row.case_id, row.parameters, row.field, row.region); }
+auto key_of(LevelRow const& row) {
+  return std::tuple(row.case_id, row.parameters, row.field, row.region,
+                    layout_name(row.discretisation.layout), smoothing_text(row));
+}
 
 TextTable table_of(std::vector<LevelRow> const& rows) {
   LevelRow const& first = rows.front();
   SettingNames const names({rows.begin(), rows.end()});
-  bool const has_seeds =
-      std::any_of(rows.begin(), rows.end(), [](LevelRow const& r) { return is_drawn(r.discretisation.layout); });
+  bool const has_seeds = std::any_of(rows.begin(), rows.end(),
+                                     [](LevelRow const& r) { return is_drawn(r.discretisation.layout); });
   TextTable table;
   std::string const heading =
       first.parameters.empty() ? first.case_id : fmt::format("{}\n  {}", first.case_id, first.parameters);
-  table.title = first.field.empty()
-                    ? fmt::format("{}\nRuns without an error", heading)
-                    : fmt::format("{}\nError of {}, region {}", heading, first.field, first.region);
+  std::string const where =
+      fmt::format("{}, {}", layout_name(first.discretisation.layout), smoothing_text(first));
+  table.title = first.field.empty() ? fmt::format("{}\nRuns without an error; {}", heading, where)
+                                    : fmt::format("{}\nError of {}, region {}; {}", heading, first.field,
+                                                  first.region, where);
   table.header = names.header();
-  table.header.emplace_back("layout");
   if (has_seeds) table.header.emplace_back("seed");
   table.header.emplace_back("N");
   table.label_columns = table.header.size();
-  for (char const* name : {"l1", "l2", "linf", "l2 of nothing done", "mean", "l2 of the exact field", "status"})
+  for (char const* name :
+       {"l1", "l2", "linf", "l2 of nothing done", "mean", "l2 of the exact field", "status"})
     table.header.emplace_back(name);
   for (LevelRow const& row : rows) {
     auto& cells = table.rows.emplace_back(names.row(row));
-    cells.push_back(names.column(row));
     bool const is_seeded = is_drawn(row.discretisation.layout);
-    if (has_seeds)
-      cells.push_back(is_seeded ? fmt::format("{}", row.discretisation.layout.seed) : "");
+    if (has_seeds) cells.push_back(is_seeded ? fmt::format("{}", row.discretisation.layout.seed) : "");
     cells.push_back(fmt::format("{}", row.resolution));
     for (Number const& value : {row.l1, row.l2, row.linf, row.initial_l2, row.mean, row.scale_l2})
       cells.push_back(scientific(value));
@@ -186,8 +193,9 @@ std::string levels_text(std::vector<LevelRow> const& rows, TextStyle const& styl
 }
 
 std::vector<LegendEntry> levels_legend() {
-  return {{"", "Errors are absolute, a run each. Nothing done: the initial state taken for the answer. The mean "
-               "is that of computed - exact, with its sign."}};
+  return {{"",
+           "Errors are absolute, a run each. Nothing done: the initial state taken for the answer. The mean "
+           "is that of computed - exact, with its sign."}};
 }
 
 std::string levels_csv(std::vector<LevelRow> const& rows) {

@@ -29,12 +29,12 @@ struct LevelRow : Setting {
 /// Those of all runs, in the order of the documents.
 std::vector<LevelRow> level_rows(std::vector<NamedResults> const& documents);
 
-/// Per case, field and region a line per run.
+/// Per case, field, region, layout and refinement path a table with a line per run.
 std::string levels_text(std::vector<LevelRow> const& rows, TextStyle const& style);
 std::vector<LegendEntry> levels_legend();
 
-/// Long format: a line, or an entry, per run, field and region, all numbers in full. No cell holds a comma, so
-/// that nothing has to be told to what reads it.
+/// Long format: a line, or an entry, per run, field and region, all numbers in full. No cell holds a comma,
+/// so that nothing has to be told to what reads it.
 std::string levels_csv(std::vector<LevelRow> const& rows);
 Json levels_json(std::vector<LevelRow> const& rows);
 

@@ -38,22 +38,21 @@ std::string all_changes_text(Comparison const& c) {
 
 std::vector<Section> const& sections() {
   static std::vector<Section> const all{
-      {"summary", "each formulation at its best setting over all cases",
+      {"summary", "summary", "each formulation at its best setting over all cases",
        [](Comparison const& c) { return summary_text(groups_of(c), c); },
        [](Comparison const& c) { return summary_csv(groups_of(c)); },
        [](Comparison const& c) { return summary_json(groups_of(c)); }, summary_legend},
-      {"series", "case by case, every setting",
-       [](Comparison const& c) { return series_text(c); },
+      {"series", "series", "case by case, every setting", [](Comparison const& c) { return series_text(c); },
        [](Comparison const& c) { return series_csv(c.rows); },
        [](Comparison const& c) { return series_json(c.rows); }, series_legend},
-      {"levels", "every run's errors in every region and norm",
+      {"levels", "levels", "every run's errors in every region and norm",
        [](Comparison const& c) { return levels_text(level_rows(c.documents), c.options.style); },
        [](Comparison const& c) { return levels_csv(level_rows(c.documents)); },
        [](Comparison const& c) { return levels_json(level_rows(c.documents)); }, levels_legend, false},
-      {"envelopes", "how far a parameter could be driven", envelopes_text,
+      {"envelopes", "envelopes", "how far a parameter could be driven", envelopes_text,
        [](Comparison const& c) { return envelopes_csv(envelopes_of(c)); },
        [](Comparison const& c) { return envelopes_json(envelopes_of(c)); }, envelopes_legend},
-      {"changes", "of every document against the first", all_changes_text,
+      {"changes", "changes", "of every document against the first", all_changes_text,
        [](Comparison const& c) { return changes_csv(all_changes_of(c)); },
        [](Comparison const& c) { return changes_json(all_changes_of(c)); },
        [] { return std::vector<LegendEntry>{}; }}};

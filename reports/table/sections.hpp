@@ -18,7 +18,8 @@ struct Comparison {
 
 /// A part of a comparison: what `--section` names.
 struct Section {
-  std::string name;  ///< also its key in JSON
+  std::string name;
+  std::string key;   ///< in JSON
   std::string says;  ///< for the help
   /// On a terminal and in Markdown; empty where there is nothing to show.
   std::string (*text)(Comparison const&);

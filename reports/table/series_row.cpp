@@ -233,8 +233,8 @@ SeriesRow series_row(NamedResults const& document, Series const& series, std::st
   row.formulation = series.label;
   for (std::size_t const index : series.runs) {
     row.finest = std::max(row.finest, runs[index].resolution);
-    row.first_resolution = std::min(row.first_resolution > 0 ? row.first_resolution : row.finest,
-                                    runs[index].resolution);
+    row.first_resolution =
+        std::min(row.first_resolution > 0 ? row.first_resolution : row.finest, runs[index].resolution);
   }
   row.finest = resolution.value_or(row.finest);
   read_runs(series, runs, row);

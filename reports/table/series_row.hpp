@@ -31,7 +31,7 @@ struct SeriesRow : Setting {
   Number error;           ///< at the finest level, absolute
   Number relative_error;  ///< to the same norm of the exact field
   Number order, half_width;
-  Number lower, upper;              ///< ends of the order's interval
+  Number lower, upper;                  ///< ends of the order's interval
   Number floor, floor_low, floor_high;  ///< what the error tends to, and its interval; as relative_error
   TargetResolution percent_target;  ///< where the fitted law comes down to 1%; an empty remark: nothing known
   Number round_off;                 ///< error that rounding alone explains, the largest at the finest level

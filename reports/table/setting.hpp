@@ -38,7 +38,8 @@ class SettingNames {
  public:
   explicit SettingNames(std::vector<Setting> const& settings);
 
-  /// "brookshaw", "p-rho2 + total (walls off)": a partner is named only where the form has several of its kind.
+  /// "brookshaw", "p-rho2 + total (walls off)": a partner is named only where the form has several of its
+  /// kind.
   std::string formulation(Setting const& setting) const;
 
   /// Formulation, and the choices that differ.

@@ -18,7 +18,8 @@ std::string quantity_of(SeriesRow const& row, std::vector<SeriesRow> const& rows
   std::string field = row.field;
   for (SeriesRow const& other : rows) {
     if (!field.empty()) break;
-    if (other.case_id == row.case_id && room_of(other.choice.id) == room_of(row.choice.id)) field = other.field;
+    if (other.case_id == row.case_id && room_of(other.choice.id) == room_of(row.choice.id))
+      field = other.field;
   }
   return field == "heating" ? room_of(row.choice.id) + " " + field : field;
 }
@@ -53,9 +54,9 @@ std::vector<Formulation> formulations_of(std::vector<SeriesRow> const& rows,
       found = std::prev(all.end());
     }
     found->ladders.push_back(&row);
-    found->scene_of.push_back(place_of(scenes, {row.case_id, row.parameters,
-                                                layout_name(row.discretisation.layout),
-                                                quantity_of(row, rows), row.finest}));
+    found->scene_of.push_back(
+        place_of(scenes, {row.case_id, row.parameters, layout_name(row.discretisation.layout),
+                          quantity_of(row, rows), row.finest}));
   }
   for (Formulation& one : all) one.best = best_setting(one.ladders, one.scene_of, scenes.size());
   return all;
@@ -78,7 +79,7 @@ Order order_of(SeriesRow const& ladder, SeriesRow const& other) {
 }
 
 bool has_error(SummaryRow const& row, std::size_t scene) {
-  return row.outcomes[scene] == Outcome::sound && row.ladders[scene].error.has_value();
+  return row.outcomes[scene] == Outcome::sound && error_of(row.ladders[scene]).has_value();
 }
 
 AgainstFirst against(SummaryRow const& row, SummaryRow const& first) {
@@ -233,7 +234,9 @@ std::vector<std::vector<std::size_t>> scenes_by_who_ran(std::vector<Formulation>
     found->second.push_back(k);
   }
   std::stable_sort(groups.begin(), groups.end(), [](auto const& a, auto const& b) {
-    auto const weight = [](auto const& g) { return std::pair(g.first.size() > 1, g.first.size() * g.second.size()); };
+    auto const weight = [](auto const& g) {
+      return std::pair(g.first.size() > 1, g.first.size() * g.second.size());
+    };
     return weight(a) > weight(b);
   });
   std::vector<std::vector<std::size_t>> all;

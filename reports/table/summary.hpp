@@ -11,10 +11,10 @@ namespace sphverify {
 
 // The answer across cases (docs/compare.md, "The answer").
 //
-// A scene is what a formulation is given and cannot choose: a case with its parameters, the particles' layout,
-// the finest resolution. A setting is what one chooses: density, face weight, closure, h/dx and how it grows,
-// and so on. Every formulation is judged at one setting for all scenes: that which fails on the fewest of them,
-// then diverges on the fewest, then has the smallest error in the geometric mean.
+// A scene is what a formulation is given and cannot choose: a case with its parameters, the particles'
+// layout, the finest resolution. A setting is what one chooses: density, face weight, closure, h/dx and how
+// it grows, and so on. Every formulation is judged at one setting for all scenes: that which fails on the
+// fewest of them, then diverges on the fewest, then has the smallest error in the geometric mean.
 
 struct SummaryScene {
   std::string case_id, parameters, layout;
@@ -26,8 +26,8 @@ struct SummaryScene {
 /// What a formulation did on one scene.
 enum class Outcome { sound, diverging, failed, missing };
 
-/// Of one formulation against the one that stands first, over the scenes on which both are sound: by error, and
-/// only where the difference is larger than both intervals.
+/// Of one formulation against the one that stands first, over the scenes on which both are sound: by error,
+/// and only where the difference is larger than both intervals.
 struct AgainstFirst {
   int nearer = 0, alike = 0, further = 0;
   Number ratio;              ///< of the errors, geometric mean
@@ -40,13 +40,13 @@ struct SummaryRow {
   std::string name;  ///< of the formulation, as tables name it
   std::string label;
   bool is_control = false;
-  std::vector<std::string> choices;    ///< what of the setting was varied, by the names of `setting_words`
-  std::size_t settings_tried = 0;      ///< that ran everywhere, among which this one is the best
-  std::vector<SeriesRow> ladders;      ///< per scene of the group; empty ones where it is missing
-  std::vector<Outcome> outcomes;       ///< likewise
+  std::vector<std::string> choices;  ///< what of the setting was varied, by the names of `setting_words`
+  std::size_t settings_tried = 0;    ///< that ran everywhere, among which this one is the best
+  std::vector<SeriesRow> ladders;    ///< per scene of the group; empty ones where it is missing
+  std::vector<Outcome> outcomes;     ///< likewise
   int failed = 0, diverging = 0, missing = 0;
 
-  Number error;        ///< geometric mean over the sound and diverging scenes, relative where the field is not 0
+  Number error;  ///< geometric mean over the sound and diverging scenes, relative where the field is not 0
   Number worst_error;  ///< the largest of them
   std::size_t worst_scene = 0;
   Number order, order_low, order_high;  ///< of the scene whose order is the lowest
@@ -73,6 +73,7 @@ struct SummaryGroup {
 
 /// Groups of scenes by who ran them, the largest first.
 /// @param controls identifiers that never stand first
-std::vector<SummaryGroup> summary_of(std::vector<SeriesRow> const& rows, std::set<std::string> const& controls);
+std::vector<SummaryGroup> summary_of(std::vector<SeriesRow> const& rows,
+                                     std::set<std::string> const& controls);
 
 }  // namespace sphverify

@@ -82,7 +82,8 @@ std::string summary_csv(std::vector<SummaryGroup> const& groups) {
       for (auto const& [name, value] : words_of(groups[k], row)) cells.push_back(value);
       cells.emplace_back(row.is_control ? "true" : "false");
       for (auto const& [name, value] : counts_of(row)) cells.push_back(fmt::format("{}", value));
-      for (auto const& [name, value] : numbers_of(row)) cells.push_back(value ? fmt::format("{}", *value) : "");
+      for (auto const& [name, value] : numbers_of(row))
+        cells.push_back(value ? fmt::format("{}", *value) : "");
       cells.emplace_back(row.is_bound ? "true" : "false");
     }
   }

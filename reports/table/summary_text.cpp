@@ -5,10 +5,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
-#include <functional>
 
 #include "reports/table/number_text.hpp"
+#include "reports/table/summary_table.hpp"
 
 namespace sphverify {
 
@@ -34,7 +33,8 @@ std::vector<std::string> parameters_of(std::string const& text) {
   for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at + 1)) {
     std::size_t const name = at + 1;
     std::size_t end = name;
-    while (end < text.size() && (std::islower(static_cast<unsigned char>(text[end])) || text[end] == '_')) ++end;
+    while (end < text.size() && (std::islower(static_cast<unsigned char>(text[end])) || text[end] == '_'))
+      ++end;
     if (end == name || end == text.size() || text[end] != '=') continue;
     all.push_back(text.substr(start, at - start));
     start = name;
@@ -47,17 +47,18 @@ std::vector<std::string> parameters_of(std::string const& text) {
 std::string case_name(SummaryGroup const& group, SummaryScene const& scene) {
   std::string name = scene.case_id.substr(scene.case_id.find('/') + 1);
   for (std::string const& parameter : parameters_of(scene.parameters)) {
-    bool const differs = std::any_of(group.scenes.begin(), group.scenes.end(), [&](SummaryScene const& other) {
-      auto const its = parameters_of(other.parameters);
-      return other.case_id == scene.case_id && std::find(its.begin(), its.end(), parameter) == its.end();
-    });
+    bool const differs =
+        std::any_of(group.scenes.begin(), group.scenes.end(), [&](SummaryScene const& other) {
+          auto const its = parameters_of(other.parameters);
+          return other.case_id == scene.case_id && std::find(its.begin(), its.end(), parameter) == its.end();
+        });
     if (differs) name += " " + parameter;
   }
   return name;
 }
 
-/// What is asked, and on which scenes.
-std::pair<std::string, std::string> title_of(SummaryGroup const& group, std::string const& region) {
+/// Norm and level of the errors: "l2 error, N = 200".
+std::string measured_text(SummaryGroup const& group, std::string const& region) {
   int coarsest = group.scenes.front().finest;
   int finest = coarsest;
   for (SummaryScene const& scene : group.scenes) {
@@ -69,16 +70,34 @@ std::pair<std::string, std::string> title_of(SummaryGroup const& group, std::str
                                                    : group.norm + " error";
   std::string const level =
       coarsest == finest ? fmt::format("N = {}", finest) : fmt::format("N = {} to {}", coarsest, finest);
+  return norm + ", " + level + (region == "all" ? "" : ", region " + region);
+}
+
+/// "piston-velocity, manufactured (2)": a name once, whatever its parameters; several layouts behind.
+std::string scenes_text(SummaryGroup const& group) {
+  std::vector<std::string> names;
+  for (std::string const& one : cases_of(group)) names.push_back(one.substr(0, one.find(' ')));
+  std::vector<std::string> counted;
+  for (std::string const& name : names) {
+    auto const n = std::count(names.begin(), names.end(), name);
+    add_new(counted, n == 1 ? name : fmt::format("{} ({})", name, n));
+  }
   auto const layouts = layouts_of(group);
-  auto const cases = cases_of(group);
-  return {fmt::format("Which formulation? {} on {}; {}, {}, region {}", plural(cases.size(), "case"),
-                      plural(layouts.size(), "layout"), norm, level, region),
-          join(cases) + "; " + join(layouts)};
+  return layouts.size() == 1 ? join(counted) : join(counted) + "; " + join(layouts);
+}
+
+/// "lattice", "2 layouts"
+std::string where_text(SummaryGroup const& group) {
+  auto const layouts = layouts_of(group);
+  return layouts.size() == 1 ? layouts.front() : plural(layouts.size(), "layout");
 }
 
 std::string ratio_text(double ratio) {
   if (ratio >= 10000.0) return scientific(ratio);
-  return ratio < 9.95 ? fmt::format("{:.1f}", ratio) : fmt::format("{:.0f}", ratio);
+  return ratio < 0.0995  ? fmt::format("{:.1g}", ratio)
+         : ratio < 1.995 ? fmt::format("{:.2f}", ratio)
+         : ratio < 9.95  ? fmt::format("{:.1f}", ratio)
+                         : fmt::format("{:.0f}", ratio);
 }
 
 std::string failure_of(SummaryRow const& row) {
@@ -106,7 +125,7 @@ std::vector<std::string> troubles(SummaryRow const& row) {
 std::string error_text(SummaryRow const& row) {
   if (!row.error) return "no error was measured";
   if (row.ladders.size() == 1) return "error " + scientific(row.error);
-  return fmt::format("error {} in the mean, {} at worst", scientific(row.error), scientific(row.worst_error));
+  return fmt::format("error {} (mean), {} (worst)", scientific(row.error), scientific(row.worst_error));
 }
 
 std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*> const& others) {
@@ -122,7 +141,8 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
   if (others.empty() || !row.error) {
     parts.push_back(error_text(row));
   } else if (is_smallest) {
-    std::string const where = scenes > 1 && is_apart ? fmt::format(" on {} of {}", row.nearest, scenes) : "";
+    std::string const where =
+        scenes > 1 && is_apart ? fmt::format(" on {} of {} scenes", row.nearest, scenes) : "";
     parts.insert(parts.begin(), fmt::format("smallest error{}: {}", where, error_text(row).substr(6)));
   } else {
     parts.insert(parts.begin(), "fails and diverges least: " + error_text(row));
@@ -133,12 +153,12 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
 std::string against_text(AgainstFirst const& a, std::string const& first) {
   int const known = a.nearer + a.alike + a.further;
   if (known == 0) return "";
-  if (a.alike == known) return "cannot be told from " + first + ": the intervals of the errors overlap";
+  if (a.alike == known) return "cannot be told from " + first + " (intervals overlap)";
   std::string const range = known > 1 && *a.largest > 1.05 * *a.smallest
                                 ? fmt::format(" ({} to {})", ratio_text(*a.smallest), ratio_text(*a.largest))
                                 : "";
-  std::string text = fmt::format("error {} times as large{}", ratio_text(*a.ratio), range);
-  if (a.nearer > 0) text += fmt::format(", yet nearer on {} of {}", a.nearer, known);
+  std::string text = fmt::format("error x{}{}", ratio_text(*a.ratio), range);
+  if (a.nearer > 0) text += fmt::format(", nearer on {}", a.nearer);
   if (a.alike > 0) text += fmt::format(", alike on {}", a.alike);
   return text;
 }
@@ -152,123 +172,48 @@ bool is_drawn_once(SummaryGroup const& group) {
   });
 }
 
-// The table.
-
-std::string order_text(SummaryRow const& row) {
-  if (!row.order) return "-";
-  double const half = std::max(*row.order_high - *row.order, *row.order - *row.order_low);
-  return half < 9.95 ? fmt::format("{:.1f}±{:.1f}", *row.order, half) : fmt::format("{:.1f}±{:.0f}", *row.order, half);
-}
-
-/// A floor that may be none is known from above alone.
-std::string floor_text(SummaryRow const& row) {
-  if (!row.floor) return "-";
-  if (row.floor_low && *row.floor_low > 0.0) return scientific(row.floor);
-  return row.floor_high ? "<" + scientific(row.floor_high) : "-";
-}
-
-std::string seconds_text(double seconds) {
-  if (seconds < 0.9995) return fmt::format("{:.3g} ms", 1e3 * seconds);
-  if (seconds < 99.5) return fmt::format("{:.2g} s", seconds);
-  return fmt::format("{:.0f} s", seconds);
-}
-
-std::string percent_text(SummaryRow const& row) {
-  if (row.seconds_to_percent) return (row.is_bound ? "<=" : "") + seconds_text(*row.seconds_to_percent);
-  if (row.percent_resolution) return fmt::format("N {:.0f}", *row.percent_resolution);
-  return row.is_timed ? "never" : "-";
-}
-
-std::string count_text(int n, SummaryRow const& row) {
-  return n == 0 ? "0" : fmt::format("{}/{}", n, row.ladders.size());
-}
-
-struct Column {
-  char const* name;
-  std::function<bool(SummaryRow const&)> has;
-  std::function<std::string(SummaryRow const&)> text;
-};
-
-std::vector<Column> const& columns() {
-  static std::vector<Column> const all{
-      {"error", [](SummaryRow const& r) { return r.error.has_value(); },
-       [](SummaryRow const& r) { return scientific(r.error); }},
-      {"order", [](SummaryRow const&) { return true; }, order_text},
-      {"floor", [](SummaryRow const& r) { return r.floor.has_value(); }, floor_text},
-      {"wall flux", [](SummaryRow const& r) { return r.wall_flux.has_value(); },
-       [](SummaryRow const& r) { return percent(r.wall_flux); }},
-      {"wall impulse", [](SummaryRow const& r) { return r.wall_impulse.has_value(); },
-       [](SummaryRow const& r) { return percent(r.wall_impulse); }},
-      {"energy made", [](SummaryRow const& r) { return r.energy_pair_drift.has_value(); },
-       [](SummaryRow const& r) { return percent(r.energy_pair_drift); }},
-      {"growing modes", [](SummaryRow const& r) { return r.growing_modes.has_value(); },
-       [](SummaryRow const& r) { return r.growing_modes ? fmt::format("{:.0f}", *r.growing_modes) : "-"; }},
-      {"1% after", [](SummaryRow const& r) { return r.is_timed || r.percent_resolution; }, percent_text},
-      {"fail", [](SummaryRow const&) { return true; },
-       [](SummaryRow const& r) { return count_text(r.failed + r.missing, r); }},
-      {"diverge", [](SummaryRow const& r) { return r.diverging > 0; },
-       [](SummaryRow const& r) { return count_text(r.diverging, r); }}};
-  return all;
-}
-
-/// @param controls whether those, or the others
-TextTable table_of(SummaryGroup const& group, bool controls) {
-  std::vector<SummaryRow const*> rows;
-  for (SummaryRow const& row : group.rows) {
-    if (row.is_control == controls) rows.push_back(&row);
-  }
-  bool const several = std::any_of(group.rows.begin(), group.rows.end(), [&](SummaryRow const& row) {
-    return row.setting.document != group.rows.front().setting.document;
-  });
-  TextTable table;
-  table.header = {controls ? "control" : "formulation"};
-  if (several) table.header.emplace_back("results");
-  table.label_columns = table.header.size();
-  table.note_name = "setting";
-  std::vector<Column const*> shown;
-  for (Column const& column : columns()) {
-    if (!std::any_of(group.rows.begin(), group.rows.end(), column.has)) continue;
-    shown.push_back(&column);
-    table.header.emplace_back(column.name);
-  }
-  for (SummaryRow const* row : rows) {
-    auto& cells = table.rows.emplace_back(std::vector{row->name});
-    if (several) cells.push_back(row->setting.document);
-    for (Column const* column : shown) cells.push_back(column->text(*row));
-    std::string note = setting_text(*row);
-    if (row->worst_error && group.scenes.size() > 1)
-      note += fmt::format("; worst {}: {}", scientific(row->worst_error), scene_name(group, row->worst_scene));
-    table.notes.push_back(std::move(note));
-  }
-  return table;
-}
-
 /// A sentence a line, or in Markdown an entry of a list.
 std::string line_of(std::string const& words, TextStyle const& style) {
   if (style.format == TableFormat::markdown) return "- " + words + "\n";
   return hanging_lines("", words, 2, style.columns);
 }
 
-std::string in_words(SummaryGroup const& group, CompareOptions const& options) {
-  TextStyle const& style = options.style;
-  bool const is_markdown = style.format == TableFormat::markdown;
-  auto const [title, scenes] = title_of(group, options.region);
-  std::string text = is_markdown ? fmt::format("### {}\n\n{}\n\n", title, scenes)
-                                 : line_of(title, style) + hanging_lines("  ", scenes, 2, style.columns);
+std::string sentences_text(SummaryGroup const& group, TextStyle const& style) {
+  std::string text;
   for (std::string const& sentence : sentences(group)) text += line_of(sentence, style);
-  if (is_drawn_once(group)) {
+  if (is_drawn_once(group))
     text += line_of("Of each disordered layout one draw was run: how much draws differ is not known.", style);
-  }
   return text;
 }
 
 std::string in_full(SummaryGroup const& group, CompareOptions const& options) {
-  std::string text = in_words(group, options);
+  TextStyle const& style = options.style;
+  std::string const title =
+      fmt::format("Which formulation? {} on {}; {}", plural(cases_of(group).size(), "case"),
+                  where_text(group), measured_text(group, options.region));
+  std::string text = style.format == TableFormat::markdown
+                         ? fmt::format("### {}\n\n{}\n\n", title, scenes_text(group))
+                         : hanging_lines("", title, 2, style.columns) +
+                               hanging_lines("  ", scenes_text(group), 2, style.columns);
+  text += sentences_text(group, style);
   for (bool const controls : {false, true}) {
-    TextTable const table = table_of(group, controls);
-    if (!table.rows.empty()) text += "\n" + render(table, options.style);
+    TextTable const table = summary_table(group, controls);
+    if (table.rows.empty()) continue;
+    text += (controls && style.format != TableFormat::markdown ? "" : "\n") + render(table, style);
   }
   return text;
+}
+
+/// A group behind the first.
+std::string in_words(SummaryGroup const& group, CompareOptions const& options) {
+  TextStyle const& style = options.style;
+  std::string const shared = shared_setting(group);
+  std::string const title =
+      fmt::format("Also {} on {}; {}{}", scenes_text(group), where_text(group),
+                  measured_text(group, options.region), shared.empty() ? "" : "; all at " + shared);
+  std::string const head = style.format == TableFormat::markdown ? "\n" + title + "\n\n"
+                                                                 : hanging_lines("", title, 2, style.columns);
+  return head + sentences_text(group, style);
 }
 
 }  // namespace
@@ -331,29 +276,31 @@ std::vector<std::string> sentences(SummaryGroup const& group) {
 
 std::string summary_text(std::vector<SummaryGroup> const& groups, Comparison const& comparison) {
   CompareOptions const& options = comparison.options;
-  bool const is_alone = !options.section.empty();
   std::string text;
-  for (SummaryGroup const& group : groups) {
-    if (!text.empty()) text += "\n";
-    text += text.empty() || is_alone ? in_full(group, options) : in_words(group, options);
-  }
+  for (SummaryGroup const& group : groups)
+    text += text.empty() ? in_full(group, options) : in_words(group, options);
   if (text.empty()) return text;
-  std::string const below = is_alone ? "Case by case: --section series." : "Below: case by case, every setting.";
+  bool const is_alone = !options.section.empty();
+  std::string const more =
+      is_alone ? "Case by case: --section series." : "Below: case by case, every setting.";
   std::string const marks = options.legend ? "" : " What the marks mean: --legend.";
-  return text + "\n" + line_of(below + marks, options.style);
+  bool const is_markdown = options.style.format == TableFormat::markdown;
+  return text + (is_markdown ? "\n" + more + marks + "\n" : line_of(more + marks, options.style));
 }
 
 std::vector<LegendEntry> summary_legend() {
-  return {{"",
-           "The answer: a scene is a case on a layout. Each formulation stands at the one setting with which it "
-           "fails on the fewest scenes, then diverges on the fewest, then has the smallest error."},
-          {"error", "at the finest level, relative to the exact field, geometric mean of the scenes"},
-          {"order, floor", "of the scene where the order is lowest, the floor highest"},
-          {"<", "a floor that may be none"},
-          {"wall flux, wall impulse, energy made", "the worst scene"},
-          {"1% after", "run time to 1% error on the slowest scene, or the N at which the law gets there"},
-          {"", "Orders behind ± and floors are 95% intervals. Errors are told apart where they differ by more than "
-               "their intervals: of the seeds, of time stepping, of rounding."}};
+  return {
+      {"",
+       "The answer: a scene is a case on a layout. Each formulation stands at the one setting with which it "
+       "fails on the fewest scenes, then diverges on the fewest, then has the smallest error."},
+      {"error", "at the finest level, relative to the exact field, geometric mean of the scenes"},
+      {"order, floor", "of the scene where the order is lowest, the floor highest"},
+      {"<", "a floor that may be none"},
+      {"wall flux, wall impulse, energy made", "the worst scene"},
+      {"1% after", "run time to 1% error on the slowest scene, or the N at which the law gets there"},
+      {"",
+       "Orders behind ± and floors are 95% intervals. Errors are told apart where they differ by more than "
+       "their intervals: of the seeds, of time stepping, of rounding."}};
 }
 
 }  // namespace sphverify

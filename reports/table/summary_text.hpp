@@ -8,8 +8,8 @@
 
 namespace sphverify {
 
-/// The answer in words, then in a table, controls apart. Where other sections follow, groups of scenes behind
-/// the first are told in words alone. Empty without series.
+/// The answer in words, then in a table, controls apart; groups of scenes behind the first in words alone.
+/// Empty without series.
 std::string summary_text(std::vector<SummaryGroup> const& groups, Comparison const& comparison);
 
 /// What its marks mean.

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "reports/table/number_text.hpp"
 
@@ -58,6 +59,33 @@ std::string title_of(std::string const& title, std::size_t columns) {
   return text;
 }
 
+/// The words of a column's name that stay together: a number stays with its quantity, "h/dx 1.2".
+std::vector<std::string> parts_of(std::string const& name) {
+  std::vector<std::string> parts;
+  for (std::string const& word : lines_of_words(name, 1)) {
+    bool const is_number = !word.empty() && std::isdigit(static_cast<unsigned char>(word.front())) != 0;
+    if (is_number && !parts.empty()) {
+      parts.back() += " " + word;
+    } else {
+      parts.push_back(word);
+    }
+  }
+  return parts;
+}
+
+/// Lines of a name that are as wide as said, or as its widest part.
+std::vector<std::string> lines_of_parts(std::string const& name, std::size_t columns) {
+  std::vector<std::string> lines;
+  for (std::string const& part : parts_of(name)) {
+    if (!lines.empty() && text_width(lines.back()) + 1 + text_width(part) <= columns) {
+      lines.back() += " " + part;
+    } else {
+      lines.push_back(part);
+    }
+  }
+  return lines;
+}
+
 /// A table whose columns have widths and whose names have lines.
 struct Laid {
   std::vector<std::size_t> width;
@@ -65,15 +93,15 @@ struct Laid {
 
   explicit Laid(TextTable const& table) {
     for (std::string const& name : table.header) {
-      std::size_t widest = 0;  // of its words, which stay whole
-      for (std::string const& word : lines_of_words(name, 1)) widest = std::max(widest, text_width(word));
+      std::size_t widest = 0;
+      for (std::string const& part : parts_of(name)) widest = std::max(widest, text_width(part));
       width.push_back(widest);
     }
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
       for (std::size_t c = 0; c < table.rows[r].size(); ++c)
         width[c] = std::max(width[c], text_width(marked(table, r, c)));
     }
-    for (std::size_t c = 0; c < width.size(); ++c) names.push_back(lines_of_words(table.header[c], width[c]));
+    for (std::size_t c = 0; c < width.size(); ++c) names.push_back(lines_of_parts(table.header[c], width[c]));
   }
 
   /// The line of a column's name, the last of all columns on the same height.

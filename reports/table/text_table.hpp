@@ -27,8 +27,8 @@ struct TextTable {
   std::vector<std::string> notes{};
 };
 
-/// On a terminal names of columns are broken at blanks where their cells are narrower, and columns that do not
-/// fit beside the others stand in further blocks, which repeat the labels.
+/// On a terminal names of columns are broken at blanks where their cells are narrower, and columns that do
+/// not fit beside the others stand in further blocks, which repeat the labels.
 std::string render(TextTable const& table, TextStyle const& style);
 
 }  // namespace sphverify

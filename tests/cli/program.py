@@ -87,6 +87,12 @@ def without(document, path):
     return changed
 
 
+def environment(**changes):
+    """Of a program that nobody tells how wide or how coloured its text is, with changes."""
+    told = ("COLUMNS", "NO_COLOR", "TERM")
+    return {name: value for name, value in os.environ.items() if name not in told} | changes
+
+
 class ProgramTest(unittest.TestCase):
     maxDiff = 2000
 
@@ -102,6 +108,7 @@ class ProgramTest(unittest.TestCase):
             "stdout": subprocess.PIPE,
             "stderr": subprocess.PIPE,
             "cwd": self.folder,
+            "env": environment(),
             **options,
         }
         process = subprocess.Popen([PROGRAM, *map(str, arguments)], **options)
@@ -114,7 +121,7 @@ class ProgramTest(unittest.TestCase):
         self.addCleanup(end)
         return process
 
-    def run_program(self, *arguments, text=None, timeout=120):
+    def run_program(self, *arguments, text=None, timeout=120, env=None):
         """A finished process with its output as text."""
         return subprocess.run(
             [PROGRAM, *map(str, arguments)],
@@ -122,13 +129,14 @@ class ProgramTest(unittest.TestCase):
             capture_output=True,
             cwd=self.folder,
             timeout=timeout,
+            env=env or environment(),
             encoding="utf-8",
             errors="replace",
         )
 
-    def succeed(self, *arguments, text=None):
+    def succeed(self, *arguments, text=None, env=None):
         """Standard output of a command that must succeed."""
-        result = self.run_program(*arguments, text=text)
+        result = self.run_program(*arguments, text=text, env=env)
         self.assertEqual(result.returncode, DONE, result.stderr)
         return result.stdout
 

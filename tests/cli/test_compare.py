@@ -6,10 +6,12 @@ sys.dont_write_bytecode = True
 
 import csv
 import io
+import itertools
+import math
 import re
 import unittest
 
-from program import ProgramTest, small_study, strict_json
+from program import ProgramTest, environment, small_study, strict_json
 
 SCHEMES = ["conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux"]
 STANDARD_STUDY = small_study(  # of the kind that the contract shows, with fewer particles
@@ -23,7 +25,7 @@ STANDARD_STUDY = small_study(  # of the kind that the contract shows, with fewer
     smoothing_exponent=[0, 0.5],
 )
 SERIES = 3 * 6 * 2 * 2 * 2
-WIDEST = 100
+WIDEST = 80  # where neither a terminal nor COLUMNS says how wide
 
 
 class Compare(ProgramTest):
@@ -44,21 +46,175 @@ class Compare(ProgramTest):
         super().setUp()
         self.results = getattr(self, "document", None) and self.write("results.json", self.document)
 
-    def compare(self, *arguments):
-        return self.succeed("compare", self.results, *arguments)
+    def compare(self, *arguments, env=None):
+        return self.succeed("compare", self.results, *arguments, env=env)
 
-    def test_the_table_stays_within_100_columns(self):
-        for options in ((), ("--region", "wall"), ("--norm", "linf"), ("--region", "interior")):
+    def assert_within(self, columns, text):
+        widest = max(text.splitlines(), key=len)
+        self.assertLessEqual(len(widest), columns, widest)
+
+    def test_lines_stay_within_80_columns_where_nobody_says_how_many_there_are(self):
+        for options in ((), ("--region", "wall"), ("--norm", "linf"), ("--region", "interior"), ("--legend",),
+                        ("--section", "levels")):  # fmt: skip
             with self.subTest(options=options):
-                lines = self.compare(*options).splitlines()
-                widest = max(lines, key=len)
-                self.assertLessEqual(len(widest), WIDEST, widest)
+                self.assert_within(WIDEST, self.compare(*options))
+
+    def test_lines_are_as_long_as_columns_says(self):
+        for columns in (60, 120, 200):
+            with self.subTest(columns=columns):
+                text = self.compare("--legend", env=environment(COLUMNS=str(columns)))
+                self.assert_within(columns, text)
+                self.assertGreater(max(map(len, text.splitlines())), 0.8 * columns)
+        narrow, wide = (self.compare(env=environment(COLUMNS=columns)).count("\n") for columns in ("80", "160"))
+        self.assertLess(wide, narrow, "fewer blocks and broken lines")
+        for nonsense in ("", "wide", "0", "-5", "80x"):
+            self.assertEqual(self.compare(env=environment(COLUMNS=nonsense)), self.compare(), nonsense)
+
+    def test_the_answer_comes_first_and_fits_on_the_first_screen(self):
+        text = self.compare()
+        answer = text[: text.index("Below: case by case")].splitlines() + [""]
+        self.assertTrue(answer[0].startswith("Which formulation? 3 cases on 2 layouts"), answer[0])
+        self.assertRegex(answer[2], r"^brookshaw: smallest error on \d+ of 6 scenes: ")
+        self.assertLessEqual(len(answer), 24, text)
+        for scheme in SCHEMES:
+            name = scheme.split("/")[1]
+            self.assertTrue(any(line.startswith(f"{name}: ") for line in answer), name)
+            self.assertTrue(any(line.startswith(f"{name} (walls off) ") for line in answer), name)
+            self.assertFalse(any(line.startswith(f"{name} (walls off):") for line in answer), "controls have no verdict")
+        controls = next(k for k, line in enumerate(answer) if line.startswith("control "))
+        for line in answer[controls + 2 :]:
+            if line and not line.startswith(" "):
+                self.assertIn("(walls off)", line)
+        self.assertIn("h/dx 1.2 (N/10)^0.5", text)
+
+    def test_each_formulation_stands_at_its_best_setting_over_all_scenes(self):
+        table = strict_json(self.compare("--format", "json"))
+        self.assert_valid("sphverify-comparison-1", table)
+        (group,) = table["summary"]
+        scenes = [(scene["case"], scene["layout"]) for scene in group["scenes"]]
+        self.assertEqual(len(scenes), 6)
+        choices = ("density", "smoothing_exponent")
+        for row in group["formulations"]:
+            scores = {}
+            for setting in itertools.product(("given", "summation"), ("0", "0.5")):
+                ladders = [
+                    one
+                    for one in table["series"]
+                    if one["formulation"] == row["formulation"] and tuple(one[c] for c in choices) == setting
+                ]
+                self.assertEqual(sorted((one["case"], one["layout"]) for one in ladders), sorted(scenes))
+                sound = [one for one in ladders if not one["failures"]]
+                logs = [math.log(one["relative_error"]) for one in sound]
+                scores[setting] = (
+                    len(ladders) - len(sound),
+                    sum(one["verdict"] == "diverging" for one in sound),
+                    sum(logs) / len(logs) if logs else math.inf,
+                )
+            best = min(scores.values())
+            said = scores[tuple(row[c] for c in choices)]
+            self.assertEqual((row["failed"], row["diverging"]), said[:2], row["formulation"])
+            self.assertEqual(said[:2], best[:2])
+            self.assertAlmostEqual(said[2], best[2], places=12)
+            self.assertAlmostEqual(math.log(row["error"]), said[2], places=12)
+            self.assertEqual(row["settings_tried"], 4)
+            self.assertEqual(row["control"], "(walls off)" in row["formulation"])
+        ranks = [(row["control"], row["failed"], row["diverging"], row["error"]) for row in group["formulations"]]
+        self.assertEqual(ranks, sorted(ranks))
+
+    def test_the_answer_on_a_moving_gas_fits_on_the_first_screen_too(self):
+        forms = [{"id": "momentum/p-rho2", "conduction": "conduction/brookshaw"}, "momentum/sqrt-p",
+                 {"id": "momentum/p-rho2", "work": "work/total-energy"}, "momentum/direct-gradient",
+                 "momentum/p-rho2"]  # fmt: skip
+        cases = [{"id": "hydro/manufactured", "parameters": {"drive": drive}} for drive in ("velocity", "pressure")]
+        study = small_study(
+            cases=["hydro/piston-velocity", "hydro/piston-pressure", "hydro/noh", "coupled/hot-wall", *cases],
+            formulations=forms,
+            discretisation={"density": ["continuity", "normalised"], "closure": ["interpolated", "one-sided"]},
+            resolution=[10, 15, 20],
+        )
+        self.study(study, "gas.json")
+        text = self.succeed("compare", "gas.json", "--section", "summary")
+        self.assert_within(80, text)
+        self.assertLessEqual(text.count("\n"), 24, text)
+        self.assertIn("manufactured (2)", text)
+        self.assertIn("Also hot-wall on lattice", text)
+        groups = strict_json(self.succeed("compare", "gas.json", "--format", "json"))["summary"]
+        self.assertEqual([len(group["scenes"]) for group in groups], [5, 1])
+        viscosities = {row["viscosity"] for row in strict_json(self.succeed("compare", "gas.json", "--format", "json"))["series"]}
+        self.assertGreater(len(viscosities), 1, "cases choose their own, which is no setting")
+        self.assertEqual({row["settings_tried"] for row in groups[0]["formulations"]}, {4})
+
+    def test_the_direct_gradient_is_a_control(self):
+        forms = ["momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient"]
+        self.study(small_study(cases=["operator/sine"], formulations=forms), "momentum.json")
+        (group,) = strict_json(self.succeed("compare", "momentum.json", "--format", "json"))["summary"]
+        controls = [row["formulation"] for row in group["formulations"] if row["control"]]
+        self.assertEqual(controls, ["momentum/direct-gradient"])
+        self.assertEqual(group["formulations"][-1]["formulation"], "momentum/direct-gradient")
+        self.assertFalse(any("direct-gradient" in sentence for sentence in group["sentences"]))
+
+    def test_what_cannot_be_compared_is_ranked_apart(self):
+        study = small_study(cases=["operator/sine"], formulations=["conduction/brookshaw", "momentum/p-rho2"])
+        self.study(study, "operator.json")
+        groups = strict_json(self.succeed("compare", "operator.json", "--format", "json"))["summary"]
+        self.assertEqual([len(group["formulations"]) for group in groups], [1, 1])
+        self.assertEqual({scene["field"] for group in groups for scene in group["scenes"]},
+                         {"conduction heating", "acceleration"})  # fmt: skip
+
+    def test_the_summary_can_be_asked_for_alone_in_every_format(self):
+        text = self.compare("--section", "summary")
+        self.assertNotIn("order or verdict", text)
+        self.assertIn("--section series", text)
+        rows = list(csv.DictReader(io.StringIO(self.compare("--section", "summary", "--format", "csv"))))
+        (group,) = strict_json(self.compare("--format", "json"))["summary"]
+        for row, entry in zip(rows, group["formulations"], strict=True):
+            self.assertEqual(row["formulation"], entry["formulation"])
+            self.assertEqual(float(row["error"]), entry["error"])
+            self.assertEqual(row["control"], str(entry["control"]).lower())
+        markdown = self.compare("--section", "summary", "--format", "markdown")
+        self.assertTrue(markdown.startswith("### Which formulation?"), markdown[:80])
+        self.assertIn("- brookshaw: smallest error", markdown)
+
+    def test_the_legend_is_shown_only_when_asked_for(self):
+        self.assertIn("What the marks mean: --legend.", self.compare())
+        self.assertNotIn("worse than any number", self.compare())
+        legend = self.compare("--legend")
+        self.assertIn("worse than any number", legend)
+        self.assertNotIn("What the marks mean: --legend.", legend)
+
+    def test_levels_hold_every_error_of_every_run_in_long_format(self):
+        text = self.compare("--section", "levels", "--format", "csv")
+        self.assertNotRegex(text, r'["#;\t]')
+        lines = [line.split(",") for line in text.splitlines()]
+        self.assertEqual({len(line) for line in lines}, {len(lines[0])}, "no cell holds a comma")
+        rows = [dict(zip(lines[0], line)) for line in lines[1:]]
+        runs = strict_json(self.document)["runs"]
+        expected = []
+        for run in runs:
+            errors = [(field, region, numbers) for field, regions in run["errors"].items()
+                      for region, numbers in regions.items()]  # fmt: skip
+            expected += [(run, *error) for error in errors or [("", "", None)]]
+        self.assertEqual(len(rows), len(expected))
+        for row, (run, field, region, numbers) in zip(rows, expected):
+            seed = run["discretisation"]["layout"]["seed"] if isinstance(run["discretisation"]["layout"], dict) else ""
+            self.assertEqual((row["case"], row["N"], row["status"], row["field"], row["region"], row["seed"]),
+                             (run["case"], str(run["resolution"]), run["status"], field, region, str(seed)))  # fmt: skip
+            self.assertEqual(float(row["spacing"]), run["spacing"])
+            for norm in ("l1", "l2", "linf"):
+                self.assertEqual(row[norm] and float(row[norm]), numbers[norm] if numbers else "")
+                self.assertEqual(row[f"scale_{norm}"] and float(row[f"scale_{norm}"]),
+                                 numbers["scale"][norm] if numbers else "")  # fmt: skip
+        document = strict_json(self.compare("--section", "levels", "--format", "json"))
+        self.assert_valid("sphverify-comparison-1", document)
+        self.assertEqual(len(document["levels"]), len(rows))
+        self.assertNotIn("levels", strict_json(self.compare("--format", "json")))
+        self.assertEqual(self.compare("--section", "levels").count("Error of temperature, region wall"), 12)
 
     def test_the_table_is_the_default_and_names_every_scheme_case_and_choice(self):
         text = self.compare()
         self.assertEqual(text, self.compare("--format", "table"))
         for word in ("brookshaw", "lucy-flux", "campbell-flux", "slab-dirichlet", "slab-insulated", "manufactured",
-                     "given", "summation", "lattice", "jitter", "off", "Summary"):  # fmt: skip
+                     "given", "summation", "lattice", "jitter", "(walls off)", "All ladders"):  # fmt: skip
             self.assertIn(word, text)
 
     def test_every_format_is_free_of_escape_codes_off_a_terminal(self):
@@ -84,10 +240,10 @@ class Compare(ProgramTest):
         self.assertTrue(any(line.startswith("#") for line in lines))
 
     def test_markdown_explains_its_marks_as_a_list(self):
-        lines = self.compare("--format", "markdown").splitlines()
+        lines = self.compare("--format", "markdown", "--legend").splitlines()
         legend = lines[max(k for k, line in enumerate(lines) if line.startswith("|")) + 1 :]
         marks = {line.split("`")[1] for line in legend if line.startswith("- `")}
-        self.assertLessEqual({"*", "(off)", "q", "~1.2", "<=", "floored, diverges"}, marks)
+        self.assertLessEqual({"*", "(walls off)", "(N/25)^0.5", "~1.2", "<=", "floored, diverges"}, marks)
         self.assertTrue(all(line.startswith("- ") for line in legend if line), legend)
 
     def test_csv_has_a_header_and_one_row_per_series(self):
@@ -136,7 +292,7 @@ class Compare(ProgramTest):
         self.assert_user_error(result, "--region: found corner, expected one of all")
 
     def test_the_best_of_a_column_is_marked_and_has_the_smallest_error(self):
-        table = self.compare().split("\n\n")[0].splitlines()
+        table = self.compare("--section", "series", env=environment(COLUMNS="160")).split("\n\n")[0].splitlines()
         rule = next(k for k, line in enumerate(table) if set(line.strip()) <= {"-", " "} and "-" in line)
         body = table[rule + 1 :]
         starts = [match.start() for match in re.finditer("-+", table[rule])]

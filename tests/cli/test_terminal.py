@@ -5,13 +5,16 @@ import sys
 sys.dont_write_bytecode = True
 
 import errno
+import fcntl
 import os
 import pty
 import re
 import signal
+import struct
+import termios
 import unittest
 
-from program import DONE, PROGRAM_ERROR, ProgramTest, small_study, strict_json
+from program import DONE, PROGRAM_ERROR, ProgramTest, environment, small_study, strict_json
 
 STUDY = small_study(
     discretisation={
@@ -70,10 +73,12 @@ def terminals_exist():
 
 @unittest.skipUnless(terminals_exist(), "no pseudo-terminal can be opened here")
 class OnATerminal(ProgramTest):
-    def start_on_terminal(self, *arguments, streams=("stderr",)):
+    def start_on_terminal(self, *arguments, streams=("stderr",), columns=None, **options):
         ours, theirs = pty.openpty()
         self.addCleanup(os.close, ours)
-        process = self.start(*arguments, **{stream: theirs for stream in streams})
+        if columns is not None:
+            fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+        process = self.start(*arguments, **{stream: theirs for stream in streams}, **options)
         os.close(theirs)
         return process, ours
 
@@ -137,23 +142,64 @@ class OnATerminal(ProgramTest):
                          [line.rstrip() for line in self.succeed("compare", "results.json").splitlines()])  # fmt: skip
 
 
-    def text_on_terminal(self, *arguments):
-        process, terminal = self.start_on_terminal(*arguments, streams=("stdout",))
+    def text_on_terminal(self, *arguments, **options):
+        process, terminal = self.start_on_terminal(*arguments, streams=("stdout",), **options)
         text = read_all(terminal).decode().replace("\r\n", "\n")
         self.assertEqual(process.wait(timeout=60), DONE)
         return text
 
-    def test_lists_and_descriptions_fit_into_100_columns_and_say_what_they_say_off_a_terminal(self):
+    def test_tables_are_as_wide_as_the_terminal_and_columns_has_the_last_word(self):
+        formulations = [f"conduction/{name}" for name in ("brookshaw", "lucy-flux", "campbell-flux")]
+        self.study(small_study(formulations=formulations, smoothing_exponent=[0, 0.25, 0.5, 0.75, 1]))
+        for columns in (60, 100, 150):
+            text = self.text_on_terminal("compare", "results.json", columns=columns)
+            widest = max(len(re.sub(r"\x1b\[[0-9;]*m", "", line)) for line in text.splitlines())
+            self.assertLessEqual(widest, columns)
+            self.assertGreater(widest, 0.8 * columns)
+        told = self.text_on_terminal("compare", "results.json", columns=150, env=environment(COLUMNS="60"))
+        self.assertEqual(told, self.text_on_terminal("compare", "results.json", columns=60))
+
+    def test_in_a_pipe_tables_are_as_wide_as_the_terminal_beside_it(self):
+        self.study(small_study(smoothing_exponent=[0, 0.25, 0.5, 0.75, 1]))
+        process, _ = self.start_on_terminal("compare", "results.json", streams=("stderr",), columns=61)
+        piped = process.stdout.read().decode()
+        self.assertEqual(process.wait(timeout=60), DONE)
+        self.assertEqual(piped, self.succeed("compare", "results.json", env=environment(COLUMNS="61")))
+
+    def test_no_colour_where_it_is_not_wanted_or_the_terminal_is_dumb(self):
+        self.study(small_study(formulations=["conduction/brookshaw", "conduction/lucy-flux"]))
+        gate = {"name": "reached", "measure": "error", "field": "temperature", "maximum": 1}
+        self.write("gates.json", {"schema": "sphverify-gates/1", "gates": [{**gate, "select": {}}]})
+        for command in (("compare", "results.json"), ("gate", "results.json", "gates.json")):
+            for variables, coloured in (({"NO_COLOR": "1"}, False), ({"TERM": "dumb"}, False),
+                                        ({"NO_COLOR": ""}, True), ({"TERM": "xterm"}, True)):  # fmt: skip
+                with self.subTest(command=command[0], variables=variables):
+                    text = self.text_on_terminal(*command, env=environment(**variables))
+                    self.assertEqual("\x1b" in text, coloured)
+
+    def test_progress_on_a_dumb_terminal_is_plain_lines_and_a_bar_is_never_wider_than_its_terminal(self):
+        study = self.write("study.json", STUDY)
+        process, terminal = self.start_on_terminal("study", study, "-o", "r.json", env=environment(TERM="dumb"))
+        text = read_all(terminal).decode().replace("\r\n", "\n")
+        self.assertEqual(process.wait(timeout=60), DONE)
+        self.assertNotRegex(text, r"[\r\x1b]")
+        process, terminal = self.start_on_terminal("study", study, "-o", "r.json", columns=44)
+        bars = re.findall(rb"\r(\[[^\r\x1b]*)", read_all(terminal))
+        self.assertEqual(process.wait(timeout=60), DONE)
+        self.assertTrue(bars)
+        self.assertLess(max(map(len, bars)), 44)
+
+    def test_lists_and_descriptions_fit_into_80_columns_and_say_what_they_say_off_a_terminal(self):
         lists = strict_json(self.succeed("list", "--json"))
         ids = [entry["id"] for kind, entries in lists.items() if kind != "schema" for entry in entries]
         wide = 0
         for arguments in [("list",), ("list", "cases"), *(("describe", one) for one in ids)]:
             with self.subTest(arguments=arguments):
                 text = self.text_on_terminal(*arguments)
-                self.assertLessEqual(max(map(len, text.splitlines())), 100)
+                self.assertLessEqual(max(map(len, text.splitlines())), 80)
                 plain = self.succeed(*arguments)
                 self.assertEqual(text.split(), plain.split())
-                wide += max(map(len, plain.splitlines())) > 100
+                wide += max(map(len, plain.splitlines())) > 80
         self.assertGreater(wide, 10, "or nothing had to be broken")
 
 

@@ -46,6 +46,31 @@ BOOST_AUTO_TEST_CASE(a_table_that_fits_is_one_block_to_the_last_column) {
   BOOST_TEST(headers(91) == 2u);
 }
 
+BOOST_AUTO_TEST_CASE(names_are_broken_where_their_cells_are_narrower_but_a_number_stays_with_its_quantity) {
+  TextTable const table{"", {"label", "jitter 0.1, h/dx 1.2 (N/25)^0.5"}, {{"one", "1.6e-4 ~1.6"}}, 1, {}};
+  BOOST_TEST(render(table, {}) ==
+             "       jitter 0.1,\n"
+             "       h/dx 1.2\n"
+             "label  (N/25)^0.5\n"
+             "-----  -----------\n"
+             "one    1.6e-4 ~1.6\n");
+}
+
+BOOST_AUTO_TEST_CASE(notes_stand_below_their_rows_or_in_a_column_of_their_own) {
+  TextTable table{"title", {"label"}, {{"one"}, {"two"}}, 1, {}};
+  table.note_name = "setting";
+  table.notes = {"density given", ""};
+  BOOST_TEST(render(table, {}) == "title\nlabel\n-----\none\n  density given\ntwo\n");
+  BOOST_TEST(render(table, {TableFormat::csv}) == "label,setting\none,density given\ntwo,\n");
+  BOOST_TEST(render(table, {TableFormat::markdown}) ==
+             "### title\n\n| label | setting |\n|---|---|\n| one | density given |\n| two |  |\n");
+}
+
+BOOST_AUTO_TEST_CASE(titles_are_broken_with_their_indentation) {
+  TextTable const table{"a case\n  of many words", {"n"}, {{"1"}}, 1, {}};
+  BOOST_TEST(render(table, {.columns = 10}) == "a case\n  of many\n  words\nn\n-\n1\n");
+}
+
 BOOST_AUTO_TEST_CASE(other_formats_are_never_broken) {
   std::string const text = render(wide(20), {TableFormat::csv});
   BOOST_TEST(std::count(text.begin(), text.end(), '\n') == 3);

@@ -19,7 +19,7 @@ Json values_of(RunRecord const& run) {
   Json record = to_json(run);
   if (Json& cost = record["cost"]; cost.is_object()) {
     for (char const* key : {"seconds", "cpu_seconds", "setup_seconds", "median_seconds", "low_seconds",
-                            "high_seconds", "busy", "repeats", "batch", "warm_up"}) {
+                            "high_seconds", "busy", "repeats", "batch", "warm_up", "occasion", "round_seconds"}) {
       cost.erase(key);
     }
   }

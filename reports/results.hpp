@@ -104,6 +104,8 @@ struct Cost {
   int repeats = 0;
   int batch = 1;         ///< runs timed together as one repeat, whose time is divided by their number
   bool warm_up = false;  ///< whether the same was run before the first repeat
+  std::string occasion;  ///< names the rounds in which this and other runs took turns; empty: timed alone
+  std::vector<double> round_seconds;  ///< wall time of the repeat of each round, in their order [s]
   std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0, peak_bytes = 0;
 };
 

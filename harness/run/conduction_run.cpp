@@ -45,15 +45,85 @@ double temperature_scale(Problem<Dim> const& problem) {
 }
 
 template <int Dim>
-class ConductionRun {
+double energy_of(Particles<Dim> const& particles, double const* temperature) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < particles.size(); ++i) sum += particles.masses()[i] * temperature[i];
+  return sum;
+}
+
+/// A run from set-up to its end, whoever asks for it.
+template <int Dim>
+class ConductionIntegration {
+ public:
+  ConductionIntegration(Problem<Dim> const& problem, RunOptions const& options, RunRecord& record,
+                        double scale, double spent_seconds)
+      : problem_(problem), options_(options), record_(record), scale_(scale), spent_before_(spent_seconds) {}
+
+  /// Integrates at one tolerance; empty, with the record's status set, if the run broke.
+  std::optional<OdeResult> integrate(FrozenConduction<Dim>& conduction, double tolerance,
+                                     bool with_quadratures) {
+    history_ = History{};
+    Particles<Dim> const& particles = conduction.scene().particles();
+    std::size_t const givers = problem_.walls.size() + 1;
+    std::string status;
+    auto const monitor = [&](double t, double const* T, double const* q) -> std::string {
+      if (options_.interrupted && *options_.interrupted) throw Interrupted();
+      double largest = 0.0;
+      for (std::size_t i = 0; i < particles.size(); ++i) {
+        if (!std::isfinite(T[i])) {
+          status = "non-finite";
+          return fmt::format("temperature of particle {} is not finite at t = {:.6g}", i, t);
+        }
+        largest = std::max(largest, std::abs(T[i]));
+      }
+      if (largest > unstable_growth * scale_) {
+        status = "unstable";
+        return fmt::format("temperature grew to {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}",
+                           largest, unstable_growth, scale_, t);
+      }
+      if (options_.time_budget > 0.0 && spent() > options_.time_budget) {
+        status = "timed-out";
+        return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
+      }
+      if (watch_) watch_->observe(t, T);
+      if (with_quadratures && options_.measure.contains(Measure::history)) {
+        history_.time.push_back(t);
+        history_.energy.push_back(energy_of(particles, T));
+        history_.exchanged.push_back(0.0);
+        for (std::size_t k = 0; k < givers; ++k) history_.exchanged.back() += q[k];
+      }
+      return "";
+    };
+    OdeResult result = conduction.integrate(record_.discretisation.integrator, problem_.final_time,
+                                            {tolerance, tolerance * scale_}, with_quadratures, monitor);
+    if (result.outcome == OdeOutcome::finished) return result;
+    record_.status = result.outcome == OdeOutcome::failed ? "unstable" : status;
+    record_.reason = result.reason;
+    if (result.outcome == OdeOutcome::failed) record_.reason += fmt::format(" at t = {:.6g}", result.time);
+    return std::nullopt;
+  }
+
+ protected:
+  /// Of the time budget.
+  double spent() const { return spent_before_ + clock_.seconds(); }
+
+  Problem<Dim> const& problem_;
+  RunOptions const& options_;
+  RunRecord& record_;
+  double scale_;
+  double spent_before_;
+  Clock clock_;
+  History history_;
+  std::optional<SecondLawWatch<Dim>> watch_;
+};
+
+template <int Dim>
+class ConductionRun : ConductionIntegration<Dim> {
  public:
   ConductionRun(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-                RunRecord& record)
-      : problem_(problem),
-        choice_(choice),
-        options_(options),
-        record_(record),
-        scale_(temperature_scale(problem)),
+                MeasuredRun& run)
+      : ConductionIntegration<Dim>(problem, options, run.record, temperature_scale(problem), 0.0),
+        run_(run),
         conduction_(problem, choice, scale_),
         particles_(conduction_.scene().particles()),
         exact_(sample(problem.scalars.at(Field::temperature), particles_, problem.final_time)),
@@ -68,8 +138,9 @@ class ConductionRun {
       if (options_.measure.contains(Measure::second_law)) {
         measure_second_law(*record_.integration->relative_tolerance);
       }
-      if (options_.measure.contains(Measure::cost)) measure_cost();
+      run_.awaits_timing = options_.measure.contains(Measure::cost);
     }
+    run_.spent_seconds = spent();
     if (options_.measure.contains(Measure::stability) || options_.measure.contains(Measure::spectrum) ||
         options_.measure.contains(Measure::stable_step)) {
       measure_stability();
@@ -77,56 +148,17 @@ class ConductionRun {
   }
 
  private:
+  using Base = ConductionIntegration<Dim>;
+  using Base::history_;
+  using Base::integrate;
+  using Base::options_;
+  using Base::problem_;
+  using Base::record_;
+  using Base::scale_;
+  using Base::spent;
+  using Base::watch_;
+
   double round_off() const { return 64.0 * std::numeric_limits<double>::epsilon() * scale_; }
-
-  double energy(double const* temperature) const {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < particles_.size(); ++i) sum += particles_.masses()[i] * temperature[i];
-    return sum;
-  }
-
-  /// Integrates at one tolerance; empty, with the record's status set, if the run broke.
-  std::optional<OdeResult> integrate(FrozenConduction<Dim>& conduction, double tolerance,
-                                     bool with_quadratures) {
-    history_ = History{};
-    std::size_t const givers = problem_.walls.size() + 1;
-    std::string status;
-    auto const monitor = [&](double t, double const* T, double const* q) -> std::string {
-      if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      double largest = 0.0;
-      for (std::size_t i = 0; i < particles_.size(); ++i) {
-        if (!std::isfinite(T[i])) {
-          status = "non-finite";
-          return fmt::format("temperature of particle {} is not finite at t = {:.6g}", i, t);
-        }
-        largest = std::max(largest, std::abs(T[i]));
-      }
-      if (largest > unstable_growth * scale_) {
-        status = "unstable";
-        return fmt::format("temperature grew to {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}",
-                           largest, unstable_growth, scale_, t);
-      }
-      if (options_.time_budget > 0.0 && clock_.seconds() > options_.time_budget) {
-        status = "timed-out";
-        return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
-      }
-      if (watch_) watch_->observe(t, T);
-      if (with_quadratures && options_.measure.contains(Measure::history)) {
-        history_.time.push_back(t);
-        history_.energy.push_back(energy(T));
-        history_.exchanged.push_back(0.0);
-        for (std::size_t k = 0; k < givers; ++k) history_.exchanged.back() += q[k];
-      }
-      return "";
-    };
-    OdeResult result = conduction.integrate(record_.discretisation.integrator, problem_.final_time,
-                                            {tolerance, tolerance * scale_}, with_quadratures, monitor);
-    if (result.outcome == OdeOutcome::finished) return result;
-    record_.status = result.outcome == OdeOutcome::failed ? "unstable" : status;
-    record_.reason = result.reason;
-    if (result.outcome == OdeOutcome::failed) record_.reason += fmt::format(" at t = {:.6g}", result.time);
-    return std::nullopt;
-  }
 
   FieldErrors errors_of(std::vector<double> const& temperature, std::vector<double> const& reference) const {
     return field_errors({temperature}, {reference}, volumes_, regions_, round_off());
@@ -239,8 +271,9 @@ class ConductionRun {
   void measure_energy(OdeResult const& result) {
     std::size_t const walls = problem_.walls.size();
     Budget budget;
-    budget.initial = energy(sample(problem_.scalars.at(Field::temperature), particles_, 0.0).data());
-    budget.final = energy(result.y.data());
+    budget.initial =
+        energy_of(particles_, sample(problem_.scalars.at(Field::temperature), particles_, 0.0).data());
+    budget.final = energy_of(particles_, result.y.data());
     for (std::size_t k = 0; k < walls + 1; ++k) budget.exchanged += result.quadratures[k];
     budget.drift = budget.final - budget.initial - budget.exchanged;
     budget.pair_drift = result.quadratures[walls + 1];
@@ -282,36 +315,6 @@ class ConductionRun {
     }
   }
 
-  /// Times set-up and run at the chosen tolerance, without the measurements above; the measured runs warm up.
-  void measure_cost() {
-    auto const once = [&]() -> std::optional<Cost> {
-      Clock const clock;
-      FrozenConduction<Dim> conduction(problem_, choice_, scale_);
-      double const setup = clock.seconds();
-      auto const result = integrate(conduction, *record_.integration->relative_tolerance, false);
-      double const seconds = clock.seconds();
-      double const cpu_seconds = clock.cpu_seconds();
-      if (!result) {
-        // The measured run stands; only its timing is lost, and was to the time budget.
-        record_.status = "ok";
-        record_.reason.clear();
-        return std::nullopt;
-      }
-      Cost cost;
-      cost.seconds = seconds;
-      cost.cpu_seconds = options_.threads == 1 ? Number(cpu_seconds) : std::nullopt;
-      cost.setup_seconds = setup;
-      cost.steps = result->steps;
-      cost.rate_evaluations = conduction.scene().work().evaluations;
-      cost.pair_interactions = conduction.scene().work().pair_interactions;
-      cost.peak_bytes = conduction.bytes();
-      return cost;
-    };
-    record_.cost = time_repeats(options_.repeat, once, [&] {
-      return options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget;
-    });
-  }
-
   /// Of the rate linearised about the exact solution at the final time.
   void measure_stability() {
     Stability& stability = record_.stability.emplace();
@@ -336,7 +339,9 @@ class ConductionRun {
     Stability& stability = *record_.stability;
     auto const out_of_time = [&] {
       if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      return options_.time_budget > 0.0 && clock_.seconds() > options_.time_budget;
+      // The repeats have the other half.
+      double const part = run_.awaits_timing ? 0.5 : 1.0;
+      return options_.time_budget > 0.0 && spent() > part * options_.time_budget;
     };
     auto const rate = [&](double const* T, double* out) {
       conduction_.evaluate(problem_.final_time, T);
@@ -371,30 +376,57 @@ class ConductionRun {
     watch_.reset();
   }
 
-  Problem<Dim> const& problem_;
-  SceneChoice const& choice_;
-  RunOptions const& options_;
-  RunRecord& record_;
-  Clock clock_;
-  double scale_;
+  MeasuredRun& run_;
   FrozenConduction<Dim> conduction_;
   Particles<Dim> const& particles_;
   std::vector<double> exact_, volumes_;
   std::vector<Region> regions_;
-  History history_;
-  std::optional<SecondLawWatch<Dim>> watch_;
 };
 
 }  // namespace
 
 template <int Dim>
 void run_conduction(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-                    RunRecord& record) {
-  ConductionRun<Dim>(problem, choice, options, record).run();
+                    MeasuredRun& run) {
+  ConductionRun<Dim>(problem, choice, options, run).run();
 }
 
-template void run_conduction(Problem<1> const&, SceneChoice const&, RunOptions const&, RunRecord&);
-template void run_conduction(Problem<2> const&, SceneChoice const&, RunOptions const&, RunRecord&);
-template void run_conduction(Problem<3> const&, SceneChoice const&, RunOptions const&, RunRecord&);
+template <int Dim>
+Repetition repeat_conduction(Problem<Dim> const& problem, SceneChoice const& choice,
+                             RunOptions const& options, RunRecord const& record) {
+  double const scale = temperature_scale(problem);
+  double const tolerance = *record.integration->relative_tolerance;
+  return [&problem, choice, &options, scale, tolerance](double spent_seconds) -> std::optional<Cost> {
+    RunRecord ignored;  // the measured run stands, whatever becomes of its repeats
+    ignored.discretisation = choice.discretisation;
+    Clock const clock;
+    ConductionIntegration<Dim> integration(problem, options, ignored, scale, spent_seconds);
+    FrozenConduction<Dim> conduction(problem, choice, scale);
+    double const setup = clock.seconds();
+    auto const result = integration.integrate(conduction, tolerance, false);
+    double const seconds = clock.seconds();
+    double const cpu_seconds = clock.cpu_seconds();
+    if (!result) return std::nullopt;
+    Cost cost;
+    cost.seconds = seconds;
+    cost.cpu_seconds = options.threads == 1 ? Number(cpu_seconds) : std::nullopt;
+    cost.setup_seconds = setup;
+    cost.steps = result->steps;
+    cost.rate_evaluations = conduction.scene().work().evaluations;
+    cost.pair_interactions = conduction.scene().work().pair_interactions;
+    cost.peak_bytes = conduction.bytes();
+    return cost;
+  };
+}
+
+template void run_conduction(Problem<1> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_conduction(Problem<1> const&, SceneChoice const&, RunOptions const&,
+                                      RunRecord const&);
+template void run_conduction(Problem<2> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_conduction(Problem<2> const&, SceneChoice const&, RunOptions const&,
+                                      RunRecord const&);
+template void run_conduction(Problem<3> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_conduction(Problem<3> const&, SceneChoice const&, RunOptions const&,
+                                      RunRecord const&);
 
 }  // namespace sphverify

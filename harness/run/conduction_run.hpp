@@ -13,6 +13,11 @@ namespace sphverify {
 /// no more.
 template <int Dim>
 void run_conduction(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-                    RunRecord& record);
+                    MeasuredRun& run);
+
+/// Set-up and run at the tolerance that a record says, without its measurements.
+template <int Dim>
+Repetition repeat_conduction(Problem<Dim> const& problem, SceneChoice const& choice,
+                             RunOptions const& options, RunRecord const& record);
 
 }  // namespace sphverify

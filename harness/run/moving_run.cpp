@@ -45,17 +45,36 @@ template <int Dim>
 class MovingRun {
  public:
   MovingRun(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-            RunRecord& record)
-      : problem_(problem), choice_(choice), options_(options), record_(record) {}
+            MeasuredRun& run)
+      : problem_(problem),
+        choice_(choice),
+        options_(options),
+        run_(run),
+        record_(run.record),
+        spent_before_(run.spent_seconds) {}
 
   void run() {
     if (asks_for_stability()) measure_stability();
     std::optional<FinalState<Dim>> const state = choose_step();
     if (!state) return;
     measure(*state);
+    run_.spent_seconds = spent();
+  }
+
+  /// One more at the rung that the record says; empty if it broke.
+  std::optional<Cost> repeat() {
+    auto const again = integrate(choice_, accepted_rung());
+    return again ? std::optional(again->cost) : std::nullopt;
   }
 
  private:
+  /// Of the time budget.
+  double spent() const { return spent_before_ + clock_.seconds(); }
+
+  double accepted_rung() const {
+    return is_leapfrog() ? *record_.integration->courant_factor : *record_.integration->relative_tolerance;
+  }
+
   bool asks_for_stability() const {
     return options_.measure.contains(Measure::stability) || options_.measure.contains(Measure::spectrum) ||
            options_.measure.contains(Measure::stable_step);
@@ -64,7 +83,7 @@ class MovingRun {
   void measure_stability() {
     auto const out_of_time = [&] {
       if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      return options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget;
+      return options_.time_budget > 0.0 && spent() > 0.5 * options_.time_budget;
     };
     try {
       record_.stability = gas_stability(problem_, choice_, options_.measure.contains(Measure::spectrum),
@@ -93,7 +112,7 @@ class MovingRun {
     std::string status = "unstable";
     auto const monitor = [&](double t, GasBudgets<Dim> const& budgets) -> std::string {
       if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      if (options_.time_budget > 0.0 && clock_.seconds() > options_.time_budget) {
+      if (options_.time_budget > 0.0 && spent() > options_.time_budget) {
         status = "timed-out";
         return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
       }
@@ -428,9 +447,7 @@ class MovingRun {
     bool const total = find_scheme(choice_.work)->rate == Rate::total_work;
     other.work = total ? find_scheme(choice_.formulation)->work_partner : "work/total-energy";
     RunRecord const kept = record_;
-    double const rung =
-        is_leapfrog() ? *record_.integration->courant_factor : *record_.integration->relative_tolerance;
-    auto const found = integrate(other, rung);
+    auto const found = integrate(other, accepted_rung());
     if (!found) {
       record_ = kept;  // this run stands; only the comparison is lost
       return;
@@ -442,34 +459,22 @@ class MovingRun {
   /// The measured run warms up. Where it is to be timed once only, or takes all the time that the repeats may
   /// take, it is timed itself instead: a second run would cost more than it tells.
   void measure_cost(FinalState<Dim> const& state) {
-    double const rung =
-        is_leapfrog() ? *record_.integration->courant_factor : *record_.integration->relative_tolerance;
     RepeatRule const& rule = options_.repeat;
-    auto const out_of_time = [&] {
-      return options_.time_budget > 0.0 && clock_.seconds() > 0.5 * options_.time_budget;
-    };
+    bool const out_of_time = options_.time_budget > 0.0 && spent() > 0.5 * options_.time_budget;
     bool const once_is_enough =
-        rule.most == 1 || (rule.seconds > 0.0 && state.cost.seconds >= rule.seconds) || out_of_time();
-    if (!once_is_enough) {
-      auto const once = [&]() -> std::optional<Cost> {
-        RunRecord kept = record_;
-        auto const again = integrate(choice_, rung);
-        if (again) return again->cost;
-        record_ = std::move(kept);
-        return std::nullopt;
-      };
-      record_.cost = time_repeats(rule, once, out_of_time);
-    }
-    if (record_.cost) return;
+        rule.most == 1 || (rule.seconds > 0.0 && state.cost.seconds >= rule.seconds) || out_of_time;
     record_.cost = time_repeats(
-        {}, [&] { return std::optional(state.cost); }, out_of_time);
+        {}, [&] { return std::optional(state.cost); }, [] { return false; });
     record_.cost->warm_up = false;
+    run_.awaits_timing = !once_is_enough;
   }
 
   Problem<Dim> const& problem_;
   SceneChoice const& choice_;
   RunOptions const& options_;
+  MeasuredRun& run_;
   RunRecord& record_;
+  double spent_before_;
   Clock clock_;
 };
 
@@ -477,12 +482,28 @@ class MovingRun {
 
 template <int Dim>
 void run_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-                RunRecord& record) {
-  MovingRun<Dim>(problem, choice, options, record).run();
+                MeasuredRun& run) {
+  MovingRun<Dim>(problem, choice, options, run).run();
 }
 
-template void run_moving(Problem<1> const&, SceneChoice const&, RunOptions const&, RunRecord&);
-template void run_moving(Problem<2> const&, SceneChoice const&, RunOptions const&, RunRecord&);
-template void run_moving(Problem<3> const&, SceneChoice const&, RunOptions const&, RunRecord&);
+template <int Dim>
+Repetition repeat_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
+                         RunRecord const& record) {
+  Integration const integration = *record.integration;
+  return [&problem, choice, &options, integration](double spent_seconds) {
+    MeasuredRun ignored;  // the measured run stands, whatever becomes of its repeats
+    ignored.record.discretisation = choice.discretisation;
+    ignored.record.integration = integration;
+    ignored.spent_seconds = spent_seconds;
+    return MovingRun<Dim>(problem, choice, options, ignored).repeat();
+  };
+}
+
+template void run_moving(Problem<1> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_moving(Problem<1> const&, SceneChoice const&, RunOptions const&, RunRecord const&);
+template void run_moving(Problem<2> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_moving(Problem<2> const&, SceneChoice const&, RunOptions const&, RunRecord const&);
+template void run_moving(Problem<3> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_moving(Problem<3> const&, SceneChoice const&, RunOptions const&, RunRecord const&);
 
 }  // namespace sphverify

@@ -13,6 +13,11 @@ namespace sphverify {
 /// costs. Without Measure::error nothing is compared, and the first rung taken.
 template <int Dim>
 void run_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-                RunRecord& record);
+                MeasuredRun& run);
+
+/// Set-up and run at the step or tolerance that a record says, without its measurements.
+template <int Dim>
+Repetition repeat_moving(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
+                         RunRecord const& record);
 
 }  // namespace sphverify

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <limits>
-#include <utility>
+#include <optional>
 
 #include "harness/measure/norms.hpp"
 #include "harness/run/clock.hpp"
@@ -74,32 +74,13 @@ Cost time_batch(Problem<Dim> const& problem, SceneChoice const& choice, int batc
   return cost;
 }
 
-/// The evaluation that was measured and the smaller batches warm up; the one of the right size counts.
-template <int Dim>
-void measure_cost(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-                  RunRecord& record) {
-  Clock const clock;
-  auto const out_of_time = [&] {
-    if (options.interrupted && *options.interrupted) throw Interrupted();
-    return options.time_budget > 0.0 && clock.seconds() > 0.5 * options.time_budget;
-  };
-  std::optional<Cost> first;
-  int const batch = batch_for([&](int size) {
-    first = time_batch(problem, choice, size);
-    return first->seconds * size;
-  });
-  auto const once = [&]() -> std::optional<Cost> {
-    if (first) return std::exchange(first, std::nullopt);
-    return time_batch(problem, choice, batch);
-  };
-  record.cost = time_repeats(options.repeat, once, out_of_time);
-}
-
 }  // namespace
 
 template <int Dim>
 void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-               RunRecord& record) {
+               MeasuredRun& run) {
+  Clock const clock;
+  RunRecord& record = run.record;
   Scene<Dim> scene(problem, choice);
   Particles<Dim> const& particles = scene.particles();
   Rate const rate = scene.scheme().rate;
@@ -132,13 +113,28 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
           field_errors(components(particles.vector(Field::flux)), components(exact), volumes, places, 0.0);
     }
   }
-  if (!options.measure.contains(Measure::cost)) return;
-
-  measure_cost(problem, choice, options, record);
+  run.awaits_timing = options.measure.contains(Measure::cost);
+  run.spent_seconds = clock.seconds();
 }
 
-template void run_rates(Problem<1> const&, SceneChoice const&, RunOptions const&, RunRecord&);
-template void run_rates(Problem<2> const&, SceneChoice const&, RunOptions const&, RunRecord&);
-template void run_rates(Problem<3> const&, SceneChoice const&, RunOptions const&, RunRecord&);
+template <int Dim>
+Repetition repeat_rates(Problem<Dim> const& problem, SceneChoice const& choice) {
+  return [&problem, choice, batch = 0](double) mutable -> std::optional<Cost> {
+    if (batch > 0) return time_batch(problem, choice, batch);
+    Cost first;
+    batch = batch_for([&](int size) {
+      first = time_batch(problem, choice, size);
+      return first.seconds * size;
+    });
+    return first;
+  };
+}
+
+template void run_rates(Problem<1> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_rates(Problem<1> const&, SceneChoice const&);
+template void run_rates(Problem<2> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_rates(Problem<2> const&, SceneChoice const&);
+template void run_rates(Problem<3> const&, SceneChoice const&, RunOptions const&, MeasuredRun&);
+template Repetition repeat_rates(Problem<3> const&, SceneChoice const&);
 
 }  // namespace sphverify

@@ -8,6 +8,10 @@ namespace sphverify {
 /// Evaluates a scheme once on a case's fields and compares with the exact rate.
 template <int Dim>
 void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-               RunRecord& record);
+               MeasuredRun& run);
+
+/// One batch of set-ups and evaluations; the first call finds how many make one, which warms up.
+template <int Dim>
+Repetition repeat_rates(Problem<Dim> const& problem, SceneChoice const& choice);
 
 }  // namespace sphverify

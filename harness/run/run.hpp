@@ -1,6 +1,8 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
+#include <optional>
 #include <stdexcept>
 
 #include "cases/support/case.hpp"
@@ -51,8 +53,30 @@ class Interrupted : public std::runtime_error {
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Carries out a run. Whatever goes wrong with the numbers is a status and a reason in the record.
-/// Throws Interrupted.
+/// A run with everything measured but its repeats.
+struct MeasuredRun {
+  RunRecord record;
+  bool awaits_timing = false;  ///< its cost is that of its repeats, which follow
+  double spent_seconds = 0.0;  ///< of its time budget, before the repeats
+};
+
+/// Carries out a run but for its repeats. Whatever goes wrong with the numbers is a status and a reason in
+/// the record. Throws Interrupted.
+MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options);
+
+/// One repeat of a measured run, set-up and all; empty if it broke.
+/// @param spent_seconds of the time budget, before it
+using Repetition = std::function<std::optional<Cost>(double spent_seconds)>;
+
+/// The repeats of a run that awaits its timing; spec and options must outlive them. They throw Interrupted.
+Repeats repeats_of(RunSpec const& spec, RunOptions const& options, MeasuredRun const& measured);
+
+/// Puts what the repeats cost into the record of a run that awaited it. Where not even the first came to an
+/// end, the measured run itself may have been timed.
+void put_cost(MeasuredRun& measured, std::optional<Cost> const& cost);
+
+/// Carries out a run and repeats it by itself. Whatever goes wrong with the numbers is a status and a reason
+/// in the record. Throws Interrupted.
 RunRecord execute(RunSpec const& spec, RunOptions const& options);
 
 }  // namespace sphverify

@@ -72,23 +72,40 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
     }
     if (start > 0) {
       if (line.is_discarded()) throw UserError(path_, "", "a damaged line", "one finished run");
-      Node const node(line, path_);
-      finished_[static_cast<std::size_t>(node.at("run").integer(0, 1'000'000'000))] =
-          read_run(node.at("record"));
+      read_line(line);
     }
     start = end + 1;
   }
   if (ftruncate(file_, static_cast<off_t>(text.size())) != 0 || lseek(file_, 0, SEEK_END) < 0) {
     throw std::runtime_error(path_ + ": " + std::strerror(errno));
   }
-  if (text.empty()) write_line(Json{{"schema", schema}, {"study", study}}.dump());
+  if (text.empty()) write_lines(Json{{"schema", schema}, {"study", study}}.dump() + "\n");
 }
 
-void Journal::write_line(std::string const& line) {
-  std::string const text = line + "\n";
+void Journal::read_line(Json const& line) {
+  Node const node(line, path_);
+  auto const index = static_cast<std::size_t>(node.at("run").integer(0, 1'000'000'000));
+  if (auto const cost = node.find("cost")) {
+    auto const measured = awaiting_.find(index);
+    if (measured == awaiting_.end())
+      throw UserError(path_, "run", std::to_string(index), "a run that awaits its timing");
+    put_cost(measured->second, cost->is_null() ? std::nullopt : std::optional(read_cost(*cost)));
+    finished_[index] = measured->second.record;
+    awaiting_.erase(measured);
+    return;
+  }
+  RunRecord record = read_run(node.at("record"));
+  if (auto const awaits = node.find("awaits_timing"); awaits && awaits->boolean()) {
+    awaiting_[index] = {std::move(record), true, node.at("spent_seconds").number()};
+  } else {
+    finished_[index] = std::move(record);
+  }
+}
+
+void Journal::write_lines(std::string const& lines) {
   std::size_t written = 0;
-  while (written < text.size()) {
-    ssize_t const n = write(file_, text.data() + written, text.size() - written);
+  while (written < lines.size()) {
+    ssize_t const n = write(file_, lines.data() + written, lines.size() - written);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) throw std::runtime_error(path_ + ": " + std::strerror(errno));
     written += static_cast<std::size_t>(n);
@@ -96,9 +113,28 @@ void Journal::write_line(std::string const& line) {
 }
 
 void Journal::append(std::size_t index, RunRecord const& run) {
-  std::string const line = Json{{"run", index}, {"record", to_json(run)}}.dump();
+  std::string const line = Json{{"run", index}, {"record", to_json(run)}}.dump() + "\n";
   std::scoped_lock const lock(mutex_);
-  write_line(line);
+  write_lines(line);
+}
+
+void Journal::append(std::size_t index, MeasuredRun const& run) {
+  std::string const line = Json{{"run", index},
+                                {"record", to_json(run.record)},
+                                {"awaits_timing", true},
+                                {"spent_seconds", run.spent_seconds}}
+                               .dump() +
+                           "\n";
+  std::scoped_lock const lock(mutex_);
+  write_lines(line);
+}
+
+void Journal::append(std::map<std::size_t, std::optional<Cost>> const& costs) {
+  std::string lines;
+  for (auto const& [index, cost] : costs)
+    lines += Json{{"run", index}, {"cost", cost ? to_json(*cost) : Json(nullptr)}}.dump() + "\n";
+  std::scoped_lock const lock(mutex_);
+  write_lines(lines);
 }
 
 void Journal::remove() { unlink(path_.c_str()); }

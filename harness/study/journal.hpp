@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "harness/run/run.hpp"
 #include "reports/json/node.hpp"
 #include "reports/results.hpp"
 
@@ -28,7 +29,8 @@ class OpenFile {
 };
 
 /// Finished runs of a study under way, one line of JSON each, so that a killed study loses only the runs in
-/// flight. The first line holds the study, so that a journal is never taken up by another one.
+/// flight (and of those that were being timed together, only their timing). The first line holds the study,
+/// so that a journal is never taken up by another one.
 class Journal {
  public:
   /// Opens the journal of a study. With `resume` what it holds is kept, a line cut short by a kill dropped; a
@@ -38,6 +40,16 @@ class Journal {
   /// Runs that were finished before, by their index in the study.
   std::map<std::size_t, RunRecord> const& finished() const { return finished_; }
 
+  /// Runs that were measured before, but not yet timed.
+  std::map<std::size_t, MeasuredRun> const& awaiting() const { return awaiting_; }
+
+  /// Appends a run that is measured but awaits its timing.
+  void append(std::size_t index, MeasuredRun const& run);
+
+  /// Appends what runs cost that awaited their timing, all of them with one write: those that took turns are
+  /// all finished or none of them is.
+  void append(std::map<std::size_t, std::optional<Cost>> const& costs);
+
   /// Appends a finished run with one write, so that a kill leaves whole lines. May be called by several
   /// threads.
   void append(std::size_t index, RunRecord const& run);
@@ -46,11 +58,13 @@ class Journal {
   void remove();
 
  private:
-  void write_line(std::string const& line);
+  void read_line(Json const& line);
+  void write_lines(std::string const& lines);
 
   std::string path_;
   OpenFile file_;
   std::map<std::size_t, RunRecord> finished_;
+  std::map<std::size_t, MeasuredRun> awaiting_;
   std::mutex mutex_;
 };
 

@@ -44,12 +44,20 @@ void Progress::started(std::size_t run) {
   started_[run] = std::chrono::steady_clock::now();
 }
 
-void Progress::finished(std::size_t run, std::string const& what) {
+void Progress::paused(std::size_t run) {
+  std::scoped_lock const lock(mutex_);
+  if (runs_[run].state != RunProgress::State::running) return;  // the others were there already
+  runs_[run].state = RunProgress::State::paused;
+  runs_[run].seconds = seconds_between(started_[run], std::chrono::steady_clock::now());
+}
+
+void Progress::finished(std::size_t run, std::string const& what, double more_seconds) {
   std::scoped_lock const lock(mutex_);
   ++done_;
   auto const now = std::chrono::steady_clock::now();
+  bool const was_paused = runs_[run].state == RunProgress::State::paused;
   runs_[run].state = RunProgress::State::finished;
-  runs_[run].seconds = seconds_between(started_[run], now);
+  runs_[run].seconds = was_paused ? runs_[run].seconds + more_seconds : seconds_between(started_[run], now);
   // A terminal is redrawn ten times a second at most: thousands of short runs must not wait for it.
   auto const interval = terminal_ ? std::chrono::milliseconds(100) : std::chrono::milliseconds(line_interval);
   if (done_ < runs_.size() && now - last_line_ < interval) return;

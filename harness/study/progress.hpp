@@ -19,7 +19,10 @@ class Progress {
   ~Progress();
 
   void started(std::size_t run);
-  void finished(std::size_t run, std::string const& what);
+  /// A run waits for others to be as far as it is.
+  void paused(std::size_t run);
+  /// @param more_seconds what a paused run has taken since
+  void finished(std::size_t run, std::string const& what, double more_seconds = 0.0);
 
  private:
   void draw(std::string const& what);

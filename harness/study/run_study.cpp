@@ -19,6 +19,7 @@
 #include "harness/study/expand.hpp"
 #include "harness/study/journal.hpp"
 #include "harness/study/memory.hpp"
+#include "harness/study/pending_runs.hpp"
 #include "harness/study/progress.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -129,6 +130,7 @@ void run_study(Study const& study, StudyOptions const& options) {
     auto const known = journal->finished().find(index);
     return known == journal->finished().end() ? nullptr : &known->second;
   };
+  // Of an envelope: which value is tried next depends on what became of the one before.
   auto const carry_out = [&](RunSpec const& spec, std::size_t index) {
     if (RunRecord const* const known = finished_before(index)) return *known;
     if (options.interrupted && *options.interrupted) throw Interrupted();
@@ -155,6 +157,9 @@ void run_study(Study const& study, StudyOptions const& options) {
     for (std::size_t k = 0; k < units; ++k) {
       if (!records[k].empty()) runs[k].state = RunProgress::State::finished_before;
     }
+    PendingRuns pending(expansion.runs, run_options, journal.get());
+    for (std::size_t const k : todo) pending.add(k);
+    pending.sort(todo);
     int const jobs = std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion));
     Progress progress(std::move(runs), jobs);
     ForkJoin loop;
@@ -172,10 +177,15 @@ void run_study(Study const& study, StudyOptions const& options) {
                 records[k].push_back(carry_out(one, k * stride + static_cast<std::size_t>(step)));
                 return records[k].back();
               });
-            } else {
-              records[k].push_back(carry_out(spec, k));
+              progress.finished(k, spec.label);
+              return;
             }
-            progress.finished(k, spec.label);
+            auto finished = pending.carry_out(k);
+            if (!finished.contains(k)) progress.paused(k);
+            for (auto& [index, run] : finished) {
+              records[index] = {std::move(run.record)};
+              progress.finished(index, expansion.runs[index].label, run.repeat_seconds);
+            }
           },
           tbb::simple_partitioner{});
     });

@@ -53,7 +53,8 @@ std::optional<double> seconds_left(std::vector<RunProgress> const& runs, int at_
   double sum = 0.0;
   double longest = 0.0;
   for (RunProgress const& run : runs) {
-    bool const is_running = run.state == RunProgress::State::running;
+    bool const is_running =
+        run.state == RunProgress::State::running || run.state == RunProgress::State::paused;
     if (!is_running && run.state != RunProgress::State::waiting) continue;
     if (!(run.work > 0.0)) continue;
     double const left = std::max(0.0, expected(run) - (is_running ? run.seconds : 0.0));

@@ -11,11 +11,11 @@ namespace sphverify {
 
 /// One run of a study (or one search of an envelope), as its progress sees it.
 struct RunProgress {
-  enum class State { waiting, running, finished, finished_before };
+  enum class State { waiting, running, paused, finished, finished_before };
   std::size_t kind = 0;  ///< such as the case: times of runs of one kind go as their work
   double work = 1.0;     ///< in any unit
   State state = State::waiting;
-  double seconds = 0.0;  ///< that a finished run took, or a running one has taken so far
+  double seconds = 0.0;  ///< that a finished run took, or a running or paused one has taken so far
 };
 
 /// About what a run does: pairs of neighbours times steps, whose length falls as the spacing does. Meant for

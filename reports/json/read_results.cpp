@@ -93,6 +93,8 @@ MedianSeconds read_median(Node const& node) {
           found_number(node, "high_seconds")};
 }
 
+}  // namespace
+
 Cost read_cost(Node const& node) {
   Cost c;
   c.seconds = measured(node.at("seconds"));
@@ -103,12 +105,17 @@ Cost read_cost(Node const& node) {
   c.repeats = static_cast<int>(count(node.at("repeats")));
   if (auto const batch = node.find("batch")) c.batch = static_cast<int>(count(*batch));
   if (auto const warm_up = node.find("warm_up")) c.warm_up = warm_up->boolean();
+  if (auto const occasion = node.find("occasion"); occasion && !occasion->is_null())
+    c.occasion = occasion->string();
+  if (auto const rounds = node.find("round_seconds")) c.round_seconds = rounds->numbers();
   c.steps = count(node.at("steps"));
   c.rate_evaluations = count(node.at("rate_evaluations"));
   c.pair_interactions = count(node.at("pair_interactions"));
   c.peak_bytes = count(node.at("peak_bytes"));
   return c;
 }
+
+namespace {
 
 Mode read_mode(Node const& node) {
   return {measured(node.at("growth")), measured(node.at("frequency")), optional_number(node.at("wavelength")),

@@ -92,6 +92,8 @@ void put_median(Json& json, MedianSeconds const& m) {
   json["high_seconds"] = number(m.high);
 }
 
+}  // namespace
+
 Json to_json(Cost const& c) {
   Json json = {{"seconds", number(c.seconds)},
                {"cpu_seconds", number(c.cpu_seconds)},
@@ -101,12 +103,16 @@ Json to_json(Cost const& c) {
   json["repeats"] = c.repeats;
   json["batch"] = c.batch;
   json["warm_up"] = c.warm_up;
+  json["occasion"] = c.occasion.empty() ? Json(nullptr) : Json(c.occasion);
+  json["round_seconds"] = numbers(c.round_seconds);
   json["steps"] = c.steps;
   json["rate_evaluations"] = c.rate_evaluations;
   json["pair_interactions"] = c.pair_interactions;
   json["peak_bytes"] = c.peak_bytes;
   return json;
 }
+
+namespace {
 
 Json to_json(Mode const& m) {
   return {{"growth", number(m.growth)},

@@ -10,6 +10,7 @@ namespace sphverify {
 /// The results document, sphverify-results/1.
 Json to_json(Results const& results);
 Json to_json(RunRecord const& run);
+Json to_json(Cost const& cost);
 Json to_json(ObservedOrder const& order);
 Json to_json(Context const& context);
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters);
@@ -26,6 +27,7 @@ std::map<std::string, ParameterValue> read_parameters(Node const& node);
 FormulationChoice read_formulation(Node const& node);
 Discretisation read_discretisation(Node const& node);
 RunRecord read_run(Node const& node);
+Cost read_cost(Node const& node);
 Results read_results(std::string const& path);
 
 /// Writes a document so that the file is either the old one or the whole new one; `-` is standard output.

@@ -37,7 +37,7 @@ def timeless(results):
     del results["context"]
     for run in results["runs"]:
         if run["cost"]:
-            for key in ("cpu_seconds", "setup_seconds", "busy", *TIMES):
+            for key in ("cpu_seconds", "setup_seconds", "busy", "occasion", "round_seconds", *TIMES):
                 del run["cost"][key]
     for series in results["series"]:
         for order in series["orders"]:
@@ -242,6 +242,53 @@ class Interruptions(ProgramTest):
     def test_several_jobs_give_the_same_results_as_one(self):
         self.succeed("study", self.document, "-o", self.results, "--jobs", 1)
         self.assertEqual(timeless(strict_json(self.results.read_text())), timeless(self.undisturbed))
+
+
+class TimedInTurn(ProgramTest):
+    """Runs that are timed together: a kill between their measurement and their timing loses neither."""
+
+    STUDY = small_study(
+        formulations=["conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux"],
+        resolution=[50, 80],
+        measure=["error", "cost"],
+        repeat=60,
+    )
+
+    def test_what_was_measured_is_not_measured_again_and_what_was_timed_is_not_timed_again(self):
+        whole = self.study(self.STUDY)
+        results = self.folder / "killed.json"
+        journal = self.folder / "killed.json.journal"
+        document = self.write("study.json", self.STUDY)
+        # Killed while the second group is being timed: three runs are finished, three await their timing.
+        process = self.start("study", document, "-o", results, "--jobs", 1)
+        deadline = time.monotonic() + 120
+        while not (journal.exists() and (text := journal.read_bytes()).count(b"awaits_timing") == 6 and text[-1:] == b"\n"):
+            self.assertIsNone(process.poll(), "the study ended before it could be killed")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.001)
+        process.kill()
+        process.wait()
+        header, *lines = [strict_json(line) for line in journal.read_text().splitlines()]
+        for line in (header, *lines):
+            self.assertEqual(complaints("sphverify-journal-1", line), [])
+        costs = {line["run"]: line["cost"] for line in lines if "cost" in line}
+        records = {line["run"]: line["record"] for line in lines if "record" in line}
+        self.assertEqual(len(records), 6)
+        self.assertEqual(len(costs), 3)
+        result = self.run_program("study", document, "-o", results, "--resume")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        self.assertIn("3 of them done before", result.stderr)
+        resumed = strict_json(results.read_text())
+        self.assertEqual(timeless(resumed), timeless(whole))
+        for index, run in enumerate(resumed["runs"]):
+            self.assertEqual(run["errors"], records[index]["errors"])
+            self.assertEqual(run["cost"]["repeats"], 60)
+            self.assertEqual(len(run["cost"]["round_seconds"]), 60)
+            if index in costs:
+                self.assertEqual(run["cost"], costs[index], "it is not timed again")
+        occasions = [run["cost"]["occasion"] for run in resumed["runs"]]
+        self.assertEqual(len(set(occasions)), 2)
+        self.assertFalse(journal.exists())
 
 
 if __name__ == "__main__":

@@ -187,7 +187,20 @@ class RealDocuments(ProgramTest):
             self.assertLess(cost["low_seconds"], cost["high_seconds"])
             self.assertTrue(cost["low_seconds"] <= cost["median_seconds"] <= cost["high_seconds"], cost)
             self.assertGreater(cost["busy"], 0)
+            self.assertEqual(len(cost["round_seconds"]), 9)
+            self.assertEqual(min(cost["round_seconds"]), cost["seconds"])
             self.assertEqual(cost["batch"] > 1, run["case"] == "operator/sine", "microseconds are timed together")
+        # Those of one setting took turns, and no others.
+        settings = {}
+        for run in results["runs"]:
+            setting = json.dumps([run[key] for key in ("case", "parameters", "discretisation", "smoothing_exponent", "resolution")])
+            settings.setdefault(setting, []).append(run["cost"]["occasion"])
+        self.assertTrue(any(len(occasions) > 1 for occasions in settings.values()))
+        for occasions in settings.values():
+            self.assertEqual(len(set(occasions)), 1)
+            self.assertEqual(occasions[0] is None, len(occasions) == 1)
+        self.assertEqual(len({occasions[0] for occasions in settings.values() if occasions[0]}),
+                         sum(len(occasions) > 1 for occasions in settings.values()))  # fmt: skip
         for series in results["series"]:
             for target in series["time_to_error"]:
                 if target["seconds"] is not None:

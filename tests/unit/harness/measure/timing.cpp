@@ -165,6 +165,161 @@ BOOST_AUTO_TEST_CASE(a_repeat_that_breaks_ends_them_and_the_first_leaves_nothing
   BOOST_TEST(!breaking(1).has_value());
 }
 
+RepeatRule const up_to_ten{.most = 10, .least = 2, .spread = 0.02, .seconds = 0.0};
+
+/// Runs whose repeats write down who was carried out, and when.
+struct Turns {
+  std::string order;
+  std::vector<Repeats> runs;
+
+  void add(char name, RepeatRule const& rule, std::vector<double> times, int breaks_at = 0) {
+    runs.emplace_back(
+        rule,
+        [this, name, breaks_at, run = FakeRun{std::move(times)}]() mutable -> std::optional<Cost> {
+          order += name;
+          auto const cost = run();
+          return run.carried_out == breaks_at ? std::nullopt : cost;
+        },
+        [] { return false; });
+  }
+};
+
+BOOST_AUTO_TEST_CASE(runs_take_turns_and_every_other_round_goes_back) {
+  Turns turns;
+  RepeatRule const three{.most = 3, .least = 3, .spread = 0.0, .seconds = 0.0};
+  for (char const name : {'a', 'b', 'c'}) turns.add(name, three, {1.0 + name, 2.0 + name, 3.0 + name});
+  auto const costs = take_turns(turns.runs, "here");
+  BOOST_TEST(turns.order == "abccbaabc");
+  BOOST_TEST_REQUIRE(costs.size() == 3u);
+  BOOST_TEST(costs[1]->occasion == "here");
+  BOOST_TEST((costs[1]->round_seconds == std::vector<double>{1.0 + 'b', 2.0 + 'b', 3.0 + 'b'}));
+  BOOST_TEST(costs[1]->repeats == 3);
+  BOOST_TEST(costs[1]->seconds == 1.0 + 'b');
+  BOOST_TEST(*costs[1]->median.median == 2.0 + 'b');
+}
+
+BOOST_AUTO_TEST_CASE(rounds_go_on_until_all_are_narrow_and_a_run_that_may_go_no_further_drops_out) {
+  Turns turns;
+  turns.add('s', {.most = 50, .least = 6, .spread = 0.02, .seconds = 0.0}, steady);
+  turns.add('n', {.most = 20, .least = 6, .spread = 0.02, .seconds = 0.0}, noisy);
+  auto costs = take_turns(turns.runs, "x");
+  BOOST_TEST(costs[0]->repeats == 20, "the steady one stays for the noisy one");
+  BOOST_TEST(costs[1]->repeats == 20);
+
+  Turns spent;
+  spent.add('l', {.most = 50, .least = 2, .spread = 0.0, .seconds = 2.5}, {1.0});
+  spent.add('s', {.most = 5, .least = 2, .spread = 0.0, .seconds = 0.0}, {0.1});
+  costs = take_turns(spent.runs, "x");
+  BOOST_TEST(spent.order == "lssllsss", "the long one has had its time after three");
+  BOOST_TEST(costs[0]->repeats == 3);
+  BOOST_TEST(costs[1]->round_seconds.size() == 5u);
+
+  Turns broken;
+  broken.add('a', up_to_ten, {1.0}, 1);
+  broken.add('b', {.most = 3, .least = 3, .spread = 0.0, .seconds = 0.0}, {1.0}, 3);
+  costs = take_turns(broken.runs, "x");
+  BOOST_TEST(!costs[0].has_value());
+  BOOST_TEST(costs[1]->repeats == 2);
+  BOOST_TEST(costs[1]->round_seconds.size() == 2u);
+}
+
+BOOST_AUTO_TEST_CASE(a_ratio_of_runs_that_took_turns_is_taken_round_by_round) {
+  auto const in_rounds = [](std::vector<double> seconds, std::string const& occasion = "x") {
+    Cost cost;
+    cost.occasion = occasion;
+    cost.round_seconds = std::move(seconds);
+    return cost;
+  };
+  MedianSeconds const ratio = median_ratio(in_rounds({2, 4, 6, 8, 10, 12, 7}), in_rounds({1, 2, 3, 4, 5, 5}));
+  BOOST_TEST(*ratio.median == 2.0);
+  BOOST_TEST(*ratio.low == 2.0);
+  BOOST_TEST(*ratio.high == 2.4, "the seventh round of one has no other");
+  MedianSeconds const five = median_ratio(in_rounds({2, 4, 6, 8, 10}), in_rounds({1, 2, 3, 4, 5}));
+  BOOST_TEST(*five.median == 2.0);
+  BOOST_TEST(!five.low.has_value());
+  BOOST_TEST(!median_ratio(in_rounds({1, 2}), in_rounds({1, 2}, "y")).median.has_value());
+  BOOST_TEST(!median_ratio(in_rounds({1, 2}, ""), in_rounds({1, 2}, "")).median.has_value(), "timed alone");
+  BOOST_TEST(!median_ratio(in_rounds({1, 2}), in_rounds({1, 0})).median.has_value());
+}
+
+/// A machine on which other work comes and goes: while it is there everything takes 1.6 times as long; beside
+/// that every repeat is late by a random amount. Time passes as runs are carried out.
+struct BusyMachine {
+  std::mt19937& draw;
+  double until = 0.0, now = 0.0;
+  bool busy = false;
+
+  double uniform() { return (static_cast<double>(draw()) + 0.5) / 4294967296.0; }
+  double take(double work) {
+    while (now >= until) {
+      busy = !busy;
+      until += -10.0 * std::log(uniform());  // as long as ten runs, on average
+    }
+    double const seconds = work * (busy ? 1.6 : 1.0) * (1.0 - 0.02 * std::log(uniform()));
+    now += seconds;
+    return seconds;
+  }
+};
+
+/// Of so many pairs, how many whose interval leaves 1 out, by three ways of timing them.
+struct Alarms {
+  int alone = 0, turns = 0, rounds = 0;
+};
+
+Alarms alarms(double work, int pairs, std::uint32_t seed) {
+  RepeatRule const rule{.most = 25, .least = 6, .spread = 0.02, .seconds = 0.0};
+  std::mt19937 draw(seed);
+  auto const apart = [](double low, double high) { return low > 1.0 || high < 1.0; };
+  auto const crosswise = [&](Cost const& a, Cost const& b) {
+    return apart(*a.median.low / *b.median.high, *a.median.high / *b.median.low);
+  };
+  Alarms found;
+  for (int n = 0; n < pairs; ++n) {
+    BusyMachine machine{draw};
+    auto const repeats = [&](double of) {
+      return Repeats(
+          rule,
+          [&machine, of]() -> std::optional<Cost> {
+            Cost cost;
+            cost.seconds = machine.take(of);
+            return cost;
+          },
+          [] { return false; });
+    };
+    auto const alone = [&](double of) {
+      Repeats one = repeats(of);
+      while (!one.is_over() && !one.is_narrow()) one.repeat();
+      return *one.cost();
+    };
+    Cost const first = alone(work);
+    found.alone += crosswise(first, alone(1.0));
+    std::vector<Repeats> both{repeats(work), repeats(1.0)};
+    auto const costs = take_turns(both, "x");
+    found.turns += crosswise(*costs[0], *costs[1]);
+    MedianSeconds const ratio = median_ratio(*costs[0], *costs[1]);
+    found.rounds += apart(*ratio.low, *ratio.high);
+  }
+  return found;
+}
+
+BOOST_AUTO_TEST_CASE(a_machine_that_changes_does_not_tell_equal_runs_apart_and_unequal_ones_are) {
+  constexpr int pairs = 2000;
+  Alarms const equal = alarms(1.0, pairs, 11);
+  BOOST_TEST_MESSAGE("equal runs told apart: alone " << equal.alone << ", in turn " << equal.turns
+                                                     << ", round by round " << equal.rounds << " of "
+                                                     << pairs);
+  BOOST_TEST(equal.alone > pairs / 10, "or this machine would not try what it is to try");
+  BOOST_TEST(equal.turns <= pairs / 20);
+  BOOST_TEST(equal.rounds <= pairs / 20);
+  for (double const work : {1.1, 1.3}) {
+    Alarms const more = alarms(work, pairs, 12);
+    BOOST_TEST_MESSAGE(work << " times the work found: alone " << more.alone << ", in turn " << more.turns
+                            << ", round by round " << more.rounds << " of " << pairs);
+    BOOST_TEST(more.rounds >= pairs * 9 / 10, work);
+    BOOST_TEST(more.rounds > more.turns, work);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_batch_lasts_a_millisecond) {
   std::vector<int> tried;
   auto const each = [&](double seconds) {

@@ -38,6 +38,37 @@ BOOST_AUTO_TEST_CASE(what_was_appended_is_there_when_resumed) {
   BOOST_TEST(to_json(resumed.finished().at(0)).dump() == to_json(record("nought")).dump());
 }
 
+BOOST_AUTO_TEST_CASE(a_run_that_awaits_its_timing_is_finished_once_its_cost_is_there) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("j");
+  Cost cost;
+  cost.seconds = 2.0;
+  cost.occasion = "here";
+  cost.round_seconds = {2.0, 3.0};
+  RunRecord once = record("two");
+  once.cost.emplace().seconds = 9.0;  // of the measured run itself
+  {
+    Journal journal(path, study, false);
+    journal.append(0, MeasuredRun{record("nought"), true, 0.5});
+    journal.append(1, MeasuredRun{record("one"), true, 0.25});
+    journal.append(2, MeasuredRun{once, true, 0.0});
+    journal.append(3, record("three"));
+    journal.append({{0, cost}, {2, std::nullopt}});
+  }
+  Journal const resumed(path, study, true);
+  BOOST_TEST(resumed.finished().size() == 3u);
+  BOOST_TEST((resumed.finished().at(0).cost->round_seconds == cost.round_seconds));
+  BOOST_TEST(resumed.finished().at(0).cost->occasion == "here");
+  BOOST_TEST(resumed.finished().at(2).cost->seconds == 9.0, "no repeat came to an end");
+  BOOST_TEST_REQUIRE(resumed.awaiting().size() == 1u);
+  BOOST_TEST(resumed.awaiting().at(1).record.label == "one");
+  BOOST_TEST(resumed.awaiting().at(1).spent_seconds == 0.25);
+  BOOST_TEST(resumed.awaiting().at(1).awaits_timing);
+  // A cost of a run that is not there is no journal of ours.
+  write_text(path, text_of(path) + "{\"run\": 7, \"cost\": null}\n");
+  BOOST_CHECK_THROW((Journal{path, study, true}), UserError);
+}
+
 BOOST_AUTO_TEST_CASE(a_resumed_journal_goes_on) {
   TemporaryFolder const folder;
   std::string const path = folder.file("j");

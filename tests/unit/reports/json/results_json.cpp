@@ -66,6 +66,8 @@ RunRecord full_run() {
   cost.repeats = 3;
   cost.batch = 64;
   cost.warm_up = true;
+  cost.occasion = "0123abcd";
+  cost.round_seconds = {4.1, 4.3, 4.6};
   cost.steps = 44;
   cost.rate_evaluations = 45;
   cost.pair_interactions = 9007199254740993ull;  // more than a double can count
@@ -177,6 +179,8 @@ BOOST_AUTO_TEST_CASE(what_a_run_holds_survives_the_document) {
   BOOST_TEST(*read.cost->busy == 0.97);
   BOOST_TEST(read.cost->batch == 64);
   BOOST_TEST(read.cost->warm_up);
+  BOOST_TEST(read.cost->occasion == "0123abcd");
+  BOOST_TEST((read.cost->round_seconds == std::vector<double>{4.1, 4.3, 4.6}));
   BOOST_TEST(*read.stability->growing_modes == 6u);
   BOOST_TEST(!read.stability->largest_stable_step.has_value());
   BOOST_TEST(*read.stability->largest_imaginary == 5.3);
@@ -248,7 +252,8 @@ BOOST_AUTO_TEST_CASE(times_of_levels_and_to_an_error_survive_the_document) {
     document["series"][0]["orders"][0]["levels"][0].erase(key);
     document["series"][0]["time_to_error"][0].erase(key);
   }
-  for (char const* key : {"busy", "batch", "warm_up"}) document["runs"][0]["cost"].erase(key);
+  for (char const* key : {"busy", "batch", "warm_up", "occasion", "round_seconds"})
+    document["runs"][0]["cost"].erase(key);
   write_document(path, document_text(document));
   BOOST_TEST(!read_results(path).runs[0].cost->median.median.has_value());
 }

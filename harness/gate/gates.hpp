@@ -12,7 +12,21 @@
 namespace sphverify {
 
 /// What a gate measures.
-enum class GateMeasure { order, error, conservation, wall_flux, status, stability, time_to_error, cost };
+enum class GateMeasure {
+  order,
+  error,
+  skill,
+  time_error,
+  conservation,
+  wall_flux,
+  status,
+  stability,
+  time_to_error,
+  cost
+};
+
+/// Whether a measure is one of a whole ladder.
+bool is_of_series(GateMeasure measure);
 
 /// Matches the formulations that have all that is named.
 struct FormulationMatch {
@@ -46,10 +60,17 @@ struct Select {
   std::vector<bool> walls{true};
 };
 
+/// How many runs (or series) a gate must look at. Where neither is given, every entry of a list in `select`
+/// must match something.
+struct CountRule {
+  std::optional<std::size_t> exactly, at_least;
+};
+
 /// Which levels of a ladder a gate on runs takes.
 enum class LevelChoice { finest, all, one };
 
-/// By how much a number may differ from the baseline's: by the larger of the two that are given.
+/// By how much a number may differ from the baseline's: by the larger of the two that are given. Where only
+/// `relative` is and the baseline is no more than rounding, by what rounding explains.
 struct Tolerance {
   Number relative, absolute;
 };
@@ -67,6 +88,7 @@ struct Gate {
   std::string name;
   std::string key;  ///< where it stands in the document, for complaints
   Select select;
+  CountRule count;
   GateMeasure measure = GateMeasure::status;
   std::string field;  ///< empty: the one that the case is about
   std::string region = "all", norm = "l2";
@@ -79,6 +101,7 @@ struct Gate {
   double target = 0.01;   ///< of time_to_error, relative to the exact field's norm
   FormulationMatch relative_to;
   bool interval_decides = true;
+  bool verdict_decides = true;  ///< no number counts as the order of a ladder that is floored or diverges
   Limit limit;
   bool expect_failure = false;
   std::string reason;  ///< why a failure is expected
@@ -99,7 +122,9 @@ struct Measured {
   /// Of a ratio of times: the ends if the noise were as kind to the gate as the interval allows. Only a gate
   /// that does not hold even then fails by more than noise.
   Number kindest_lower, kindest_upper;
+  Number round_off;     ///< at most so much of it is rounding, where that is known
   std::string word;     ///< of a measure that is a word
+  std::string remark;   ///< of an order: why its verdict is what it is
   std::string problem;  ///< why there is no number; empty where there is one
 };
 

@@ -23,8 +23,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 struct Outcome {
   enum Kind { passed, within_noise, undecided, failed } kind = passed;
   double badness = 0.0;
+  /// Whether there is a number (or a word that says as much), and it is on the wrong side of the limit.
+  bool on_wrong_side = false;
   Measured measured;
   Number baseline;
+  double tolerance = 0.0;  ///< about the baseline
 };
 
 bool worse(Outcome const& a, Outcome const& b) {
@@ -43,6 +46,7 @@ Outcome judge_range(Gate const& gate, Measured const& m) {
   outcome.badness = std::max(minimum - *m.value, *m.value - maximum);
   if (upper < minimum || lower > maximum) {
     outcome.kind = Outcome::failed;
+    outcome.on_wrong_side = true;
   } else if (lower < minimum || upper > maximum) {
     outcome.kind = Outcome::undecided;
   }
@@ -50,6 +54,7 @@ Outcome judge_range(Gate const& gate, Measured const& m) {
   if (outcome.kind != Outcome::passed && may_be_noise && *m.kindest_lower >= minimum &&
       *m.kindest_upper <= maximum) {
     outcome.kind = Outcome::within_noise;
+    outcome.on_wrong_side = outcome.badness > 0.0;
   }
   // Without an interval nothing says that an order is not noise.
   if (gate.measure == GateMeasure::order && gate.interval_decides && !interval_known &&
@@ -59,10 +64,18 @@ Outcome judge_range(Gate const& gate, Measured const& m) {
   return outcome;
 }
 
+/// Whether a word tells something of the scheme. A run that its time budget ended, or that could not be set
+/// up, tells of the machine or the document; a ladder of too few levels tells nothing.
+bool tells(Gate const& gate, std::string const& word) {
+  if (gate.measure == GateMeasure::order) return word != "not-refined";
+  return word == "ok" || word == "unstable" || word == "non-finite" || word == "positivity-lost";
+}
+
 Outcome judge_equals(Gate const& gate, Measured const& m) {
   Outcome outcome;
   bool const equal = gate.limit.equals ? *m.value == *gate.limit.equals : m.word == gate.limit.equals_word;
   outcome.kind = equal ? Outcome::passed : Outcome::failed;
+  outcome.on_wrong_side = !equal && (gate.limit.equals || tells(gate, m.word));
   if (gate.limit.equals) outcome.badness = std::abs(*m.value - *gate.limit.equals);
   return outcome;
 }
@@ -78,8 +91,12 @@ double gap(Measured const& a, Measured const& b) {
   return std::max({0.0, *a.lower - *b.upper, *b.lower - *a.upper});
 }
 
-double tolerance_of(Tolerance const& within, double baseline) {
-  return std::max(within.relative.value_or(0.0) * std::abs(baseline), within.absolute.value_or(0.0));
+/// What a baseline that is zero but for rounding may be changed by is not a part of it, but rounding.
+double tolerance_of(Tolerance const& within, Measured const& now, Measured const& old) {
+  double const baseline = std::abs(*old.value);
+  double const given = std::max(within.relative.value_or(0.0) * baseline, within.absolute.value_or(0.0));
+  double const rounding = std::max(now.round_off.value_or(0.0), old.round_off.value_or(0.0));
+  return within.absolute || baseline > rounding ? given : std::max(given, rounding);
 }
 
 Outcome judge_within(Gate const& gate, Measured const& m, std::vector<Measured> const& baseline) {
@@ -94,13 +111,21 @@ Outcome judge_within(Gate const& gate, Measured const& m, std::vector<Measured> 
   }
   outcome.baseline = old->value;
   double const difference = std::abs(*m.value - *old->value);
-  double const tolerance = tolerance_of(*gate.limit.within, *old->value);
-  outcome.kind = difference <= tolerance ? Outcome::passed : Outcome::failed;
+  double const tolerance = outcome.tolerance = tolerance_of(*gate.limit.within, m, *old);
+  outcome.on_wrong_side = difference > tolerance;
+  outcome.kind = outcome.on_wrong_side ? Outcome::failed : Outcome::passed;
   if (outcome.kind == Outcome::failed && gate.interval_decides && gap(m, *old) <= tolerance)
     outcome.kind = Outcome::within_noise;
   outcome.badness = difference == 0.0 ? 0.0 : difference / tolerance;
+  if (outcome.kind == Outcome::failed && tolerance == 0.0 && *old->value == 0.0 &&
+      !gate.limit.within->absolute)
+    outcome.measured.problem =
+        "the baseline is 0, and nothing is known of its rounding: give within.absolute";
   return outcome;
 }
+
+/// A ladder on a floor, or away from the solution, has a slope but no order.
+bool is_no_order(Measured const& m) { return m.word == "floored" || m.word == "diverging"; }
 
 Outcome judge_one(Gate const& gate, Measured const& m, std::vector<Measured> const& baseline) {
   Outcome outcome;
@@ -114,6 +139,10 @@ Outcome judge_one(Gate const& gate, Measured const& m, std::vector<Measured> con
     outcome = judge_equals(gate, m);
   } else {
     outcome = judge_range(gate, m);
+  }
+  if (m.value && gate.measure == GateMeasure::order && gate.verdict_decides &&
+      gate.limit.equals_word.empty() && is_no_order(m)) {
+    outcome.kind = Outcome::failed;
   }
   std::string const problem = outcome.measured.problem;
   outcome.measured = m;
@@ -133,14 +162,14 @@ std::string show_measured(Gate const& gate, Measured const& m) {
   return text;
 }
 
-std::string show_limit(Gate const& gate, Number const& baseline) {
+std::string show_limit(Gate const& gate, Number const& baseline, double tolerance) {
   Limit const& limit = gate.limit;
   if (!limit.equals_word.empty()) return "= " + limit.equals_word;
   if (limit.equals) return fmt::format("= {}", *limit.equals);
   if (limit.minimum && limit.maximum) return fmt::format("in [{}, {}]", *limit.minimum, *limit.maximum);
   if (limit.minimum) return fmt::format(">= {}", *limit.minimum);
   if (limit.maximum) return fmt::format("<= {}", *limit.maximum);
-  if (baseline) return fmt::format("{} +- {:.2g}", show(*baseline), tolerance_of(*limit.within, *baseline));
+  if (baseline) return fmt::format("{} +- {:.2g}", show(*baseline), tolerance);
   return "as the baseline";
 }
 
@@ -148,12 +177,15 @@ std::string show_limit(Gate const& gate, Number const& baseline) {
 std::string explain(Gate const& gate, Outcome const& worst) {
   Measured const& m = worst.measured;
   if (!m.problem.empty()) return m.problem;
-  if (gate.measure == GateMeasure::status && worst.kind == Outcome::failed && !m.run->reason.empty())
-    return m.run->reason;
+  if (worst.kind == Outcome::passed) return "";
+  if (gate.measure == GateMeasure::status && worst.kind == Outcome::failed) return m.run->reason;
   if (worst.kind == Outcome::within_noise) return "the timings are too noisy to tell";
   if (worst.kind == Outcome::undecided) {
-    return m.lower ? "the limit lies inside the interval"
-                   : "no interval: fewer than three levels tell noise from order";
+    if (m.lower) return "the limit lies inside the interval";
+    return "no interval" + (m.remark.empty() ? "" : ": " + m.remark);
+  }
+  if (gate.measure == GateMeasure::order && gate.limit.equals_word.empty() && is_no_order(m)) {
+    return fmt::format("the ladder is {}{}", m.word, m.remark.empty() ? "" : ": " + m.remark);
   }
   return "";
 }
@@ -171,27 +203,61 @@ std::vector<Measured> lost(std::vector<Measured> const& now, std::vector<Measure
   return all;
 }
 
-Verdict verdict_of(Gate const& gate, Outcome const& worst) {
-  bool const passed = worst.kind == Outcome::passed;
-  if (gate.expect_failure) return passed ? Verdict::unexpected_pass : Verdict::expected_failure;
-  if (passed) return Verdict::passed;
-  if (worst.kind == Outcome::within_noise) return Verdict::within_noise;
-  return worst.kind == Outcome::undecided ? Verdict::undecided : Verdict::failed;
+Verdict verdict_of(Outcome const& worst) {
+  switch (worst.kind) {
+    case Outcome::passed:
+      return Verdict::passed;
+    case Outcome::within_noise:
+      return Verdict::within_noise;
+    case Outcome::undecided:
+      return Verdict::undecided;
+    case Outcome::failed:
+      break;
+  }
+  return Verdict::failed;
+}
+
+/// What hides whether an expected failure is still there: no number, or one that decides nothing.
+bool hides(Outcome const& outcome) { return outcome.kind != Outcome::passed && !outcome.on_wrong_side; }
+
+/// The verdict where a failure is expected.
+Verdict verdict_of_expected(Outcome const& worst) {
+  if (worst.kind == Outcome::passed) return Verdict::unexpected_pass;
+  if (!hides(worst)) return Verdict::expected_failure;
+  return worst.kind == Outcome::failed ? Verdict::failed : Verdict::undecided;
+}
+
+/// Puts what a gate selected beside what it must; empty if that is as it must be.
+std::optional<GateVerdict> judge_selection(Gate const& gate, Results const& results, std::size_t selected) {
+  GateVerdict verdict;
+  verdict.name = gate.name;
+  verdict.reason = gate.reason;
+  verdict.verdict = Verdict::selects_nothing;
+  verdict.measured = label_of(gate) + " of nothing";
+  verdict.limit = show_limit(gate, std::nullopt, 0.0);
+  if (selected == 0) {
+    verdict.detail = why_empty(gate, results);
+    return verdict;
+  }
+  auto const& [exactly, at_least] = gate.count;
+  if (!exactly && !at_least) {
+    verdict.detail = unmatched_entry(gate, results);
+    return verdict.detail.empty() ? std::nullopt : std::optional(verdict);
+  }
+  if (exactly ? selected == *exactly : selected >= *at_least) return std::nullopt;
+  std::string const what = is_of_series(gate.measure) ? "ladder" : "run";
+  verdict.verdict = Verdict::failed;
+  verdict.measured = fmt::format("{} {}{}", selected, what, selected == 1 ? "" : "s");
+  verdict.limit = exactly ? fmt::format("= {}", *exactly) : fmt::format(">= {}", *at_least);
+  verdict.detail = fmt::format("it looks at {} where '{}' says {}", verdict.measured,
+                               exactly ? "runs" : "at_least", exactly ? *exactly : *at_least);
+  return verdict;
 }
 
 GateVerdict judge_gate(Gate const& gate, Results const& results, Baselines const& baselines,
                        std::string const& file) {
-  GateVerdict verdict;
-  verdict.name = gate.name;
-  verdict.reason = gate.reason;
   std::vector<Measured> all = measure(gate, results, file);
-  if (all.empty()) {
-    verdict.verdict = Verdict::selects_nothing;
-    verdict.measured = label_of(gate) + " of nothing";
-    verdict.limit = show_limit(gate, std::nullopt);
-    verdict.detail = why_empty(gate, results);
-    return verdict;
-  }
+  if (auto const wrong = judge_selection(gate, results, all.size())) return *wrong;
   for (Measured const& m : all) require_reachable(gate, m, file);
   std::vector<Measured> baseline;
   if (gate.limit.within) {
@@ -201,13 +267,23 @@ GateVerdict judge_gate(Gate const& gate, Results const& results, Baselines const
   }
   std::vector<Outcome> outcomes;
   for (Measured const& m : all) outcomes.push_back(judge_one(gate, m, baseline));
-  auto const worst = std::max_element(outcomes.begin(), outcomes.end(),
-                                      [](Outcome const& a, Outcome const& b) { return worse(b, a); });
-  verdict.verdict = verdict_of(gate, *worst);
+  auto const worst =
+      std::max_element(outcomes.begin(), outcomes.end(), [&](Outcome const& a, Outcome const& b) {
+        // An expected failure must not hide another one.
+        if (gate.expect_failure && hides(a) != hides(b)) return hides(b);
+        return worse(b, a);
+      });
+  GateVerdict verdict;
+  verdict.name = gate.name;
+  verdict.reason = gate.reason;
+  verdict.verdict = gate.expect_failure ? verdict_of_expected(*worst) : verdict_of(*worst);
   verdict.measured = show_measured(gate, worst->measured);
-  verdict.limit = show_limit(gate, worst->baseline);
+  verdict.limit = show_limit(gate, worst->baseline, worst->tolerance);
   verdict.where = describe(worst->measured);
   verdict.detail = explain(gate, *worst);
+  if (gate.expect_failure && !holds(verdict.verdict) && verdict.verdict != Verdict::unexpected_pass)
+    verdict.detail =
+        "not the failure that is expected" + (verdict.detail.empty() ? "" : ": " + verdict.detail);
   verdict.looked_at = outcomes.size();
   verdict.failing =
       static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(), [](Outcome const& outcome) {

@@ -20,6 +20,9 @@ std::vector<Measured> measure(Gate const& gate, Results const& results, std::str
 /// The same of a baseline, in which a name that exists nowhere is an entry with a problem.
 std::vector<Measured> measure_baseline(Gate const& gate, Results const& baseline);
 
+/// How many runs or series a gate looks at in a results document, sound or not.
+std::size_t count_selected(Gate const& gate, Results const& results);
+
 /// What the number is, in words, such as "l2 error".
 std::string label_of(Gate const& gate);
 

@@ -25,9 +25,13 @@ Words const order_verdict_words{"asymptotic", "pre-asymptotic", "floored", "dive
 Words keys_of(GateMeasure measure) {
   switch (measure) {
     case GateMeasure::order:
-      return {"field", "region", "norm", "interval"};
+      return {"field", "region", "norm", "interval", "verdict"};
     case GateMeasure::error:
       return {"field", "region", "norm", "resolution", "relative"};
+    case GateMeasure::skill:
+      return {"field", "region", "norm", "resolution"};
+    case GateMeasure::time_error:
+      return {"resolution"};
     case GateMeasure::conservation:
       return {"quantity", "what", "resolution", "relative"};
     case GateMeasure::wall_flux:
@@ -175,8 +179,7 @@ void read_levels(Node const& node, Gate& gate) {
 
 /// What is measured, and of which runs.
 void read_measure(Node const& node, Gate& gate) {
-  bool const of_series = gate.measure == GateMeasure::order || gate.measure == GateMeasure::time_to_error;
-  if (of_series) {
+  if (is_of_series(gate.measure)) {
     char const* const expected = "nothing here: this measure is one of a whole ladder with all its seeds";
     Node const select = node.at("select");
     if (auto const resolution = select.find("resolution")) resolution->complain(expected);
@@ -188,9 +191,9 @@ void read_measure(Node const& node, Gate& gate) {
   if (auto const field = node.find("field")) gate.field = field->string();
   if (auto const region = node.find("region")) gate.region = region->string();
   if (auto const norm = node.find("norm")) gate.norm = norm->word(norm_words);
-  bool const whole_history = gate.measure == GateMeasure::status ||
-                             gate.measure == GateMeasure::conservation ||
-                             gate.measure == GateMeasure::stability;
+  bool const whole_history =
+      gate.measure == GateMeasure::status || gate.measure == GateMeasure::conservation ||
+      gate.measure == GateMeasure::stability || gate.measure == GateMeasure::time_error;
   gate.levels = whole_history ? LevelChoice::all : LevelChoice::finest;
   if (auto const resolution = node.find("resolution")) read_levels(*resolution, gate);
   gate.relative = gate.measure == GateMeasure::conservation || gate.measure == GateMeasure::wall_flux;
@@ -218,6 +221,21 @@ void read_measure(Node const& node, Gate& gate) {
   }
   if (auto const interval = node.find("interval"))
     gate.interval_decides = interval->word({"decides", "ignore"}) == "decides";
+  if (auto const verdict = node.find("verdict")) {
+    gate.verdict_decides = verdict->word({"decides", "ignore"}) == "decides";
+    if (node.find("equals")) verdict->complain("this key only beside a limit that is a number");
+  }
+}
+
+CountRule read_count(Node const& node) {
+  constexpr std::int64_t most = 1'000'000'000;
+  auto const exactly = node.find("runs");
+  auto const at_least = node.find("at_least");
+  if (exactly && at_least) at_least->complain("'runs' or this key");
+  CountRule rule;
+  if (exactly) rule.exactly = static_cast<std::size_t>(exactly->integer(1, most));
+  if (at_least) rule.at_least = static_cast<std::size_t>(at_least->integer(1, most));
+  return rule;
 }
 
 Tolerance read_tolerance(Node const& node) {
@@ -288,14 +306,15 @@ Gate read_gate(Node const& node, std::optional<Node> const& common_baseline) {
   std::string const measure = node.at("measure").word(gate_measure_words());
   auto const& words = gate_measure_words();
   gate.measure = static_cast<GateMeasure>(std::find(words.begin(), words.end(), measure) - words.begin());
-  Words known{"name",   "select",   "measure", "minimum", "maximum", "equals",
-              "within", "baseline", "expect",  "reason",  "note"};
+  Words known{"name", "select",   "measure",  "minimum", "maximum", "equals", "within",
+              "runs", "at_least", "baseline", "expect",  "reason",  "note"};
   Words const of_measure = keys_of(gate.measure);
   known.insert(known.end(), of_measure.begin(), of_measure.end());
   node.require_keys(known);
   gate.name = read_line(node.at("name"));
   if (auto const note = node.find("note")) note->string();
   gate.select = read_select(node.at("select"));
+  gate.count = read_count(node);
   read_measure(node, gate);
   read_limit(node, common_baseline, gate);
   if (auto const expect = node.find("expect")) gate.expect_failure = expect->word({"pass", "fail"}) == "fail";
@@ -311,8 +330,8 @@ Gate read_gate(Node const& node, std::optional<Node> const& common_baseline) {
 }  // namespace
 
 std::vector<std::string> const& gate_measure_words() {
-  static Words const words{"order",  "error",     "conservation",  "wall_flux",
-                           "status", "stability", "time_to_error", "cost"};
+  static Words const words{"order",     "error",  "skill",     "time_error",    "conservation",
+                           "wall_flux", "status", "stability", "time_to_error", "cost"};
   return words;
 }
 

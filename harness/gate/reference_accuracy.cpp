@@ -15,13 +15,26 @@ namespace sphverify {
 
 namespace {
 
+/// An error of a run; null where it has none.
+RegionError const* find_error(RunRecord const& run, std::string const& field, std::string const& region) {
+  auto const regions = run.errors.find(field);
+  if (regions == run.errors.end()) return nullptr;
+  auto const error = regions->second.find(region);
+  return error == regions->second.end() ? nullptr : &error->second;
+}
+
 /// A norm of the exact field; 0 where the run has none.
 double exact_norm(RunRecord const& run, std::string const& field, std::string const& region,
                   std::string const& norm) {
-  auto const regions = run.errors.find(field);
-  if (regions == run.errors.end()) return 0.0;
-  auto const error = regions->second.find(region);
-  return error == regions->second.end() ? 0.0 : norm_of(error->second.scale, norm);
+  RegionError const* const error = find_error(run, field, region);
+  return error == nullptr ? 0.0 : norm_of(error->scale, norm);
+}
+
+/// The error of doing nothing; 0 where it is not known.
+double initial_norm(RunRecord const& run, std::string const& field, std::string const& region,
+                    std::string const& norm) {
+  RegionError const* const error = find_error(run, field, region);
+  return error == nullptr || !error->initial ? 0.0 : norm_of(*error->initial, norm);
 }
 
 /// What a relative accuracy of a gas counts of.
@@ -46,8 +59,10 @@ double smallest_limit(Gate const& gate, Measured const& m, ReferenceAccuracy con
     return gate.relative ? part : part * scale;
   }
   double const absolute = accuracy.relative ? accuracy.value * largest(run, field) : accuracy.value;
-  if (!gate.relative) return absolute;
-  double const scale = exact_norm(run, field, gate.region, gate.norm);
+  bool const is_skill = gate.measure == GateMeasure::skill;
+  if (!gate.relative && !is_skill) return absolute;
+  double const scale = is_skill ? initial_norm(run, field, gate.region, gate.norm)
+                                : exact_norm(run, field, gate.region, gate.norm);
   return scale > 0.0 ? absolute / scale : 0.0;
 }
 
@@ -83,7 +98,8 @@ std::optional<ReferenceAccuracy> reference_accuracy(std::string const& case_id,
 
 void require_reachable(Gate const& gate, Measured const& m, std::string const& file) {
   bool const is_time = gate.measure == GateMeasure::time_to_error;
-  if (gate.measure != GateMeasure::error && gate.measure != GateMeasure::wall_flux && !is_time) return;
+  bool const is_error = gate.measure == GateMeasure::error || gate.measure == GateMeasure::skill;
+  if (!is_error && gate.measure != GateMeasure::wall_flux && !is_time) return;
   auto const accuracy = reference_accuracy(m.series->case_id, m.series->parameters);
   if (!accuracy) return;
   double const smallest = is_time ? smallest_target(gate, m, *accuracy) : smallest_limit(gate, m, *accuracy);

@@ -18,9 +18,10 @@ struct ReferenceAccuracy {
 std::optional<ReferenceAccuracy> reference_accuracy(std::string const& case_id,
                                                     std::map<std::string, ParameterValue> const& parameters);
 
-/// Throws UserError if a limit on an error (or on the error of a wall flux, or a target of time_to_error) is
-/// smaller than what the reference solution is accurate to: such a gate would judge the reference. Velocities
-/// of a gas are held against its speed of sound where that is larger: a gas at rest has no other.
+/// Throws UserError if a limit on an error (or a skill, or on the error of a wall flux, or a target of
+/// time_to_error) is smaller than what the reference solution is accurate to: such a gate would judge the
+/// reference. Velocities of a gas are held against its speed of sound where that is larger: a gas at rest has
+/// no other.
 void require_reachable(Gate const& gate, Measured const& measured, std::string const& file);
 
 }  // namespace sphverify

@@ -16,8 +16,13 @@ bool matches(FormulationMatch const& match, FormulationChoice const& formulation
 bool matches(Select const& select, RunRecord const& run);
 bool matches(Select const& select, Series const& series);
 
-/// Why a gate looks at nothing: the first key that no run matches, alone or with those before it, and what
-/// there is instead; or that what it selects is only what it compares to, or has no such level.
+/// Why a gate looks at nothing: the first key that no run matches, alone or with those before it, what there
+/// is instead, and what may have been meant; or that what it selects is only what it compares to, or has no
+/// such level.
 std::string why_empty(Gate const& gate, Results const& results);
+
+/// The first entry of a list in `select` that, alone in its place, selects nothing, and why; empty if every
+/// entry selects something.
+std::string unmatched_entry(Gate const& gate, Results const& results);
 
 }  // namespace sphverify

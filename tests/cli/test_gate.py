@@ -36,7 +36,9 @@ STUDY = small_study(
 # One gate of every measure that the study above keeps by a wide margin.
 HOLDING = {
     "error": {"field": "temperature", "maximum": 1.0},
-    "order": {"field": "temperature", "minimum": -50},
+    "order": {"field": "temperature", "minimum": -50, "verdict": "ignore"},
+    "skill": {"field": "temperature", "maximum": 1.0},
+    "time_error": {"maximum": 0.5},
     "conservation": {"quantity": "energy", "maximum": 1.0},
     "wall_flux": {"maximum": 10.0},
     "status": {"equals": "ok"},
@@ -56,8 +58,15 @@ class Gate(ProgramTest):
         helper = cls()
         helper.setUp()
         try:
-            helper.study(STUDY)
-            cls.document = (helper.folder / "results.json").read_text()
+            document = helper.study(STUDY)
+            for run in document["runs"]:
+                for regions in run["errors"].values():
+                    for error in regions.values():
+                        error["initial"] = error.get("initial") or {"l1": 0.3, "l2": 0.4, "linf": 0.5}
+            for series in document["series"]:  # what a gate makes of an order, not what an order is, is tested here
+                for order in series["orders"]:
+                    order.update(order=1.5, interval=[1.4, 1.6], verdict="asymptotic", reason="by hand")
+            cls.document = json.dumps(document)
         finally:
             helper.doCleanups()
 
@@ -101,7 +110,7 @@ class Verdicts(Gate):
                     impossible.update(maximum=-60, interval="ignore")
                     if measure not in ("order", "time_to_error"):
                         del impossible["interval"]
-                    if measure in ("error", "wall_flux"):
+                    if measure in ("error", "wall_flux", "skill"):
                         impossible.pop("maximum")
                         impossible["minimum"] = 1e3
                 line, status = self.verdict(gate(measure, **impossible))
@@ -116,7 +125,7 @@ class Verdicts(Gate):
         line, _ = self.verdict(gate(field="temperature", region="wall", norm="linf", maximum=1))
         self.assertIn(f"linf error {error:.3g} K", line)
         order = next(o for o in series["orders"] if (o["field"], o["region"], o["norm"]) == ("temperature", "all", "l2"))
-        line, _ = self.verdict(gate("order", minimum=-50))
+        line, _ = self.verdict(gate("order", minimum=-50, verdict="ignore"))
         self.assertIn(f"order {order['order']:.3g} [{order['interval'][0]:.3g}, {order['interval'][1]:.3g}]", line)
 
     def test_a_ratio_of_run_times_fails_only_beyond_its_interval(self):
@@ -139,7 +148,7 @@ class Verdicts(Gate):
         document = strict_json(self.document)
         lower, upper = document["series"][0]["orders"][1]["interval"]
         inside = gate("order", field="temperature", region="all", norm=document["series"][0]["orders"][1]["norm"],
-                      minimum=0.5 * (lower + upper))  # fmt: skip
+                      minimum=0.5 * (lower + upper), verdict="ignore")  # fmt: skip
         line, status = self.verdict(inside)
         self.assertTrue(line.startswith("undecided  "), line)
         self.assertEqual(status, GATE_FAILED)
@@ -157,6 +166,76 @@ class Verdicts(Gate):
         self.assertTrue(result.stdout.startswith("unexpected-pass  "))
         self.assertIn("remove \"expect\": \"fail\"", result.stdout)
         self.assertEqual(result.returncode, GATE_FAILED)
+
+    def orders(self, **keys):
+        """Results in which every order of the first ladder has these keys."""
+        document = strict_json(self.document)
+        for order in document["series"][0]["orders"]:
+            order.update(keys)
+        return self.write("orders.json", document)
+
+    def test_the_order_of_a_floored_or_diverging_ladder_keeps_no_limit(self):
+        for verdict in ("floored", "diverging", "asymptotic"):
+            results = self.orders(verdict=verdict, order=1.0, interval=[0.9, 1.1], reason="made by hand")
+            for limit in ({"minimum": 0.5}, {"maximum": 1.5}):
+                line, status = self.verdict(gate("order", **limit), results=results)
+                self.assertEqual(status, DONE if verdict == "asymptotic" else GATE_FAILED, (verdict, line))
+                line, status = self.verdict(gate("order", verdict="ignore", **limit), results=results)
+                self.assertEqual(status, DONE, (verdict, line))
+            line, status = self.verdict(gate("order", equals=verdict), results=results)
+            self.assertEqual(status, DONE, line)
+        floored = self.judge(gate("order", minimum=0.5), results=self.orders(verdict="floored", order=1.0, reason="why"))
+        self.assertIn("the ladder is floored: why", floored.stdout)
+
+    def test_an_expected_failure_swallows_no_crash_null_or_undecided_order(self):
+        known = {"expect": "fail", "reason": "as we all know"}
+        document = strict_json(self.document)
+        last = document["series"][0]["runs"][-1]
+        for status in ("unstable", "timed-out"):
+            broken = self.write("broken.json", mutated(document, ("runs", last, "status"), status))
+            result = self.judge(gate(minimum=1e3, **known), results=broken)
+            self.assertTrue(result.stdout.startswith("failed  "), result.stdout)
+            self.assertIn("not the failure that is expected", result.stdout)
+            self.assertEqual(result.returncode, GATE_FAILED)
+            line, found = self.verdict(gate("status", equals="ok", **known), results=broken)
+            self.assertEqual(found, DONE if status == "unstable" else GATE_FAILED, line)
+        null = self.write("null.json", mutated(document, ("runs", last, "errors", "temperature", "all", "l2"), None))
+        self.assertEqual(self.verdict(gate(minimum=1e3, **known), results=null)[1], GATE_FAILED)
+        order = {"verdict": "pre-asymptotic", "order": 0.9, "reason": "x"}
+        for interval, word, status in (([0.5, 1.5], "undecided", GATE_FAILED), ([0.8, 0.95], "expected-failure", DONE)):
+            results = self.orders(**order, interval=interval)
+            line, found = self.verdict(gate("order", minimum=1, **known), results=results)
+            self.assertTrue(line.startswith(word), line)
+            self.assertEqual(found, status)
+        results = self.orders(verdict="floored", order=None, interval=None, reason="x")
+        self.assertEqual(self.verdict(gate("order", minimum=1, **known), results=results)[1], GATE_FAILED)
+
+    def test_every_entry_of_a_list_must_match_and_how_many_are_looked_at_may_be_said(self):
+        both = {**SLAB, "formulation": ["conduction/brookshaw", "conduction/lucy-flux"]}
+        self.assertEqual(self.verdict({**gate(maximum=1), "select": both})[1], DONE)
+        missing = {**SLAB, "formulation": ["conduction/brookshaw", "conduction/lucyflux"]}
+        result = self.judge({**gate(maximum=1), "select": missing})
+        self.assertTrue(result.stdout.startswith("selects-nothing  "), result.stdout)
+        self.assertIn("'conduction/lucyflux' in the list of 'formulation' matches nothing", result.stdout)
+        self.assertIn("did you mean 'conduction/lucy-flux'?", " ".join(result.stdout.split()))
+        self.assertEqual(result.returncode, GATE_FAILED)
+        self.assertEqual(self.verdict({**gate(maximum=1, at_least=1), "select": missing})[1], DONE)
+        for rule, status in (({"runs": 2}, DONE), ({"runs": 1}, GATE_FAILED), ({"runs": 3}, GATE_FAILED),
+                             ({"at_least": 2}, DONE), ({"at_least": 3}, GATE_FAILED)):  # fmt: skip
+            line, found = self.verdict({**gate(maximum=1, **rule), "select": both})
+            self.assertEqual(found, status, line)
+        line, _ = self.verdict({**gate(maximum=1, runs=3), "select": both})
+        self.assertIn("2 runs  = 3", line)
+
+    def test_misspelt_names_are_answered_with_the_nearest_that_there_is(self):
+        for select, meant in (({"case": "conduction/slab-dirchlet"}, "conduction/slab-dirichlet"),
+                              ({"formulation": "brookshaw"}, "conduction/brookshaw"),
+                              ({"discretisation": {"layout": "latice"}}, "lattice"),
+                              ({"discretisation": {"density": "gven"}}, "given"),
+                              ({"parameters": {"final_tme": 1}}, "final_time")):  # fmt: skip
+            result = self.judge({**gate(maximum=1), "select": select})
+            self.assertTrue(result.stdout.startswith("selects-nothing  "), result.stdout)
+            self.assertIn(f"(did you mean '{meant}'?)", " ".join(result.stdout.split()))
 
     def test_a_gate_that_selects_nothing_fails_and_says_why(self):
         for known in ({}, {"expect": "fail", "reason": "x"}):
@@ -192,7 +271,7 @@ class Verdicts(Gate):
         for one, line in zip(gates, lines):
             self.assertIn(one["name"][:12], line)
         self.assertEqual(lines[len(gates)], "")
-        self.assertEqual(lines[-1], "9 gates: 8 passed, 1 failed")
+        self.assertEqual(lines[-1], "11 gates: 10 passed, 1 failed")
         for line in lines:
             if not line.startswith("a long name"):
                 self.assertLessEqual(len(line), WIDEST, line)
@@ -288,6 +367,22 @@ class Baselines(Gate):
             self.assertTrue(line.startswith(word), (factor, line))
             self.assertEqual(status, DONE if word == "passed" else GATE_FAILED)
 
+    def test_a_baseline_of_zero_is_kept_to_rounding_unless_an_absolute_tolerance_is_given(self):
+        document = strict_json(self.document)
+        run = document["series"][0]["runs"][-1]
+        energy = document["runs"][run]["conservation"]["energy"]
+        terms = max(abs(energy[key]) for key in ("initial", "final", "exchanged"))
+        place = ("runs", run, "conservation", "energy", "drift")
+        self.write("old.json", mutated(document, place, 0.0))
+        one = gate("conservation", resolution="finest", within={"relative": 1e-3}, baseline="old.json")
+        for part, status in ((1e-15, DONE), (1e-13, GATE_FAILED)):
+            now = self.write("now.json", mutated(document, place, part * terms))
+            line, found = self.verdict(one, results=now)
+            self.assertEqual(found, status, line)
+            self.assertIn("0 +- 1.4e-14", line)
+            self.assertEqual(self.verdict({**one, "within": {"absolute": 0}}, results=now)[1], GATE_FAILED)
+            self.assertEqual(self.verdict({**one, "within": {"absolute": 1e-12}}, results=now)[1], DONE)
+
     def test_rebaselining_shows_the_difference_and_then_writes(self):
         self.store(0.5)
         result = self.judge(self.WITHIN, options=("--rebaseline",))
@@ -331,6 +426,7 @@ class BadGates(Gate):
         self.refuse(gate("stabilty", maximum=1), "did you mean 'stability'?")
         self.refuse(gate(maximum=1, field="temprature"), "gates[0].field", "one of temperature")
         self.refuse(gate(maximum=1, region="corner"), "gates[0].region", "one of all")
+        self.refuse(gate("skill", maximum=1, region="wal"), "gates[0].region", "did you mean 'wall'?")
         self.refuse(gate(maximum=1, norm="l3"), "gates[0].norm", "l1, l2, linf")
         self.refuse(gate("conservation", quantity="momentum", maximum=1), "gates[0].quantity", "one of energy")
         self.refuse(gate("cost", maximum=1, relative_to="conduction/campbell-flux"), "gates[0].relative_to",
@@ -363,12 +459,18 @@ class Documents(Gate):
     def test_the_schema_takes_what_the_program_takes(self):
         gates = [gate(measure, **keys) for measure, keys in HOLDING.items()]
         gates += Reports.GATES[:1] + [Baselines.WITHIN]
+        gates += [gate(maximum=1, runs=2), gate("status", equals="ok", at_least=2), gate("order", within={"relative": 1},
+                  baseline="b", verdict="ignore", runs=1), gate("skill", maximum=1, region="smooth", at_least=1)]  # fmt: skip
         self.assert_valid("sphverify-gates-1", {"schema": "sphverify-gates/1", "gates": gates})
 
     def test_the_schema_refuses_what_the_program_refuses(self):
         for one in (gate(), gate(maximun=1), gate("cost", maximum=1), gate("status", maximum=1), gate("x", maximum=1),
                     gate(maximum=1, expect="fail"), gate(maximum=1, reason="x"), gate(maximum=1, equals=1),
                     gate("order", equals=2), gate(maximum=1, baseline="b"), gate(maximum=1, norm="l3"),
+                    gate(maximum=1, runs=0), gate(maximum=1, runs=1, at_least=1), gate(maximum=1, at_least=0.5),
+                    gate(maximum=1, verdict="ignore"), gate("order", equals="floored", verdict="ignore"),
+                    gate("order", minimum=1, verdict="never"), gate("skill", maximum=1, relative=True),
+                    gate("time_error", maximum=1, norm="l1"),
                     without(gate(maximum=1), ("select",))):  # fmt: skip
             document = {"schema": "sphverify-gates/1", "gates": [one]}
             with self.assertRaises(AssertionError, msg=json.dumps(one)):

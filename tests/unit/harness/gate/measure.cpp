@@ -3,6 +3,8 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
+#include "harness/measure/timing.hpp"
+
 #include "tests/unit/harness/gate/small_results.hpp"
 
 BOOST_AUTO_TEST_SUITE(harness_gate_measure)
@@ -168,6 +170,105 @@ BOOST_AUTO_TEST_CASE(a_wall_flux_is_the_worst_of_the_walls_or_that_of_one) {
                   "gates[0].wall: found '2', expected one of 0, 1"));
   run.wall_flux[1].scale = 0.0;
   BOOST_TEST(says(problem(R"("measure": "wall_flux", "maximum": 1)", results_of({run})), "wall 1"));
+}
+
+BOOST_AUTO_TEST_CASE(skill_is_the_error_over_that_of_doing_nothing) {
+  RunRecord run = run_at(25, 0.5);
+  run.errors["temperature"]["all"].initial = NormSet{1.0, 2.0, 5.0};
+  run.errors["temperature"]["wall"].initial = NormSet{0.0, 0.0, 0.0};
+  Results const results = results_of({run});
+  std::string const skill = R"("measure": "skill", "maximum": 1)";
+  BOOST_TEST(value(skill, results) == 0.25);
+  BOOST_TEST(value(skill + R"(, "norm": "linf")", results) == 0.2);
+  BOOST_TEST(value(skill + R"(, "norm": "l1")", results) == 0.25);
+  BOOST_TEST(problem(skill + R"(, "region": "wall")", results) ==
+             "the error is null, or that of doing nothing is zero or null");
+  BOOST_TEST(problem(skill, results_of({run_at(25, 0.5)})) == "the error of doing nothing was not measured");
+  BOOST_TEST(says(refusal(skill + R"(, "field": "temprature")", results), "did you mean 'temperature'?"));
+  BOOST_TEST(says(refusal(skill + R"(, "region": "wal")", results), "did you mean 'wall'?"));
+  // The finest level counts unless another is named.
+  RunRecord fine = run;
+  fine.resolution = 50;
+  fine.errors["temperature"]["all"].error.l2 = 0.1;
+  BOOST_TEST(value(skill, results_of({run, fine})) == 0.05);
+  BOOST_TEST(value(skill + R"(, "resolution": 25)", results_of({run, fine})) == 0.25);
+}
+
+BOOST_AUTO_TEST_CASE(the_share_of_the_time_error_is_of_every_level) {
+  RunRecord run = run_at(25, 0.5);
+  std::string const share = R"("measure": "time_error", "maximum": 1)";
+  BOOST_TEST(
+      says(refusal(share, results_of({run})), "what the selected runs have measured, which is none of it"));
+  run.integration.emplace();
+  BOOST_TEST(problem(share, results_of({run})) == "the time error was not measured");
+  run.integration->time_error_share = 0.02;
+  RunRecord fine = run;
+  fine.resolution = 50;
+  fine.integration->time_error_share = 0.3;
+  auto const all = measured(share, results_of({run, fine}));
+  BOOST_TEST_REQUIRE(all.size() == 2u);
+  BOOST_TEST(*all[0].value == 0.02);
+  BOOST_TEST(*all[1].value == 0.3);
+  BOOST_TEST(*all[0].round_off == 1e-15 / 0.25, tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(rounding_is_known_of_what_may_be_zero) {
+  RunRecord run = run_at(25, 0.5);
+  run.errors["temperature"]["all"].initial = NormSet{1.0, 2.0, 5.0};
+  run.wall_flux = {{3.0, 1.0, 2.0, 4.0}};
+  run.conservation["energy"] = {1.0, 5.0, 4.0, 1e-3, {}, {}};
+  Stability& s = run.stability.emplace();
+  s.spectral_abscissa = 1e-13;
+  s.abscissa_uncertainty = 3e-11;
+  s.growing_modes = 0;
+  Results const results = results_of({run});
+  auto const rounding = [&](std::string const& gate) {
+    Number const found = measured(gate, results).at(0).round_off;
+    return found ? *found : -1.0;
+  };
+  double const eps = 64.0 * std::numeric_limits<double>::epsilon();
+  BOOST_TEST(rounding(R"("measure": "error", "maximum": 1)") == 1e-15);
+  BOOST_TEST(rounding(R"("measure": "error", "maximum": 1, "relative": true)") == 0.5e-15);
+  BOOST_TEST(rounding(R"("measure": "skill", "maximum": 1)") == 0.5e-15);
+  BOOST_TEST(rounding(R"("measure": "conservation", "maximum": 1, "relative": false)") == 5.0 * eps);
+  BOOST_TEST(rounding(R"("measure": "conservation", "maximum": 1)") == eps);
+  BOOST_TEST(rounding(R"("measure": "wall_flux", "maximum": 1, "relative": false)") == 4.0 * eps);
+  BOOST_TEST(rounding(R"("measure": "wall_flux", "maximum": 1)") == eps);
+  BOOST_TEST(rounding(R"("measure": "stability", "maximum": 1)") == 3e-11);
+  BOOST_TEST(rounding(R"("measure": "stability", "quantity": "growing_modes", "maximum": 1)") == -1.0);
+  // Of an order: what it may change the logarithm of an error by, at both ends.
+  Number const order =
+      measured(R"("measure": "order", "minimum": 1)", results_of(second_order())).at(0).round_off;
+  BOOST_TEST(*order == 2.0 * 1e-15 / 1e-4 / std::log(4.0), tolerance(1e-12));
+}
+
+BOOST_AUTO_TEST_CASE(runs_that_took_turns_are_compared_round_by_round) {
+  std::string const lucy = "conduction/lucy-flux";
+  // The machine slows down to a fifth: neither the medians' ends nor the minima see what every round says.
+  std::vector<double> const pace{1.0, 1.1, 1.3, 1.6, 2.0, 2.5, 3.1, 3.8, 4.5, 5.0};
+  auto const in_turn = [&](std::string const& id, double seconds, std::string const& occasion) {
+    RunRecord run = run_at(25, 1.0, id);
+    Cost& cost = run.cost.emplace();
+    cost.occasion = occasion;
+    for (double const slow : pace) cost.round_seconds.push_back(seconds * slow);
+    cost.seconds = seconds;
+    cost.median = median_of(cost.round_seconds);
+    return run;
+  };
+  std::string const gate =
+      R"("measure": "cost", "quantity": "median_seconds", "maximum": 1, "relative_to": "conduction/lucy-flux")";
+  auto const of = [&](RunRecord const& own, RunRecord const& its) {
+    return measured(gate, results_of({own, its})).at(0);
+  };
+  Measured m = of(in_turn("conduction/brookshaw", 1.2, "a"), in_turn(lucy, 1.0, "a"));
+  BOOST_TEST(*m.value == 1.2, tolerance(1e-12));
+  BOOST_TEST(*m.lower == 1.2, tolerance(1e-12));
+  BOOST_TEST(*m.upper == 1.2, tolerance(1e-12));
+  BOOST_TEST(*m.kindest_lower == *m.upper);
+  // Rounds of different occasions have nothing to do with each other.
+  m = of(in_turn("conduction/brookshaw", 1.2, "a"), in_turn(lucy, 1.0, "b"));
+  BOOST_TEST(*m.lower < 0.5);
+  BOOST_TEST(*m.upper > 3.0);
 }
 
 BOOST_AUTO_TEST_CASE(a_spectrum_is_measured_whatever_became_of_the_run) {

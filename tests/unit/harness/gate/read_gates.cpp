@@ -56,6 +56,15 @@ BOOST_AUTO_TEST_CASE(defaults_follow_the_measure) {
   Gate const cost = gate_of(R"("measure": "cost", "maximum": 1, "relative_to": "conduction/lucy-flux")");
   BOOST_TEST(cost.quantity == "seconds");
   BOOST_TEST((cost.levels == LevelChoice::finest));
+  BOOST_TEST((gate_of(R"("measure": "skill", "maximum": 1)").levels == LevelChoice::finest));
+  BOOST_TEST((gate_of(R"("measure": "time_error", "maximum": 1)").levels == LevelChoice::all));
+  Gate const order = gate_of(R"("measure": "order", "minimum": 1)");
+  BOOST_TEST(order.verdict_decides);
+  BOOST_TEST(!order.count.exactly.has_value());
+  BOOST_TEST(!order.count.at_least.has_value());
+  BOOST_TEST(!gate_of(R"("measure": "order", "minimum": 1, "verdict": "ignore")").verdict_decides);
+  BOOST_TEST(*gate_of(ok + R"(, "runs": 3)").count.exactly == 3u);
+  BOOST_TEST(*gate_of(ok + R"(, "at_least": 3)").count.at_least == 3u);
   Gate const one = gate_of(R"("measure": "error", "maximum": 1, "resolution": 50)");
   BOOST_TEST((one.levels == LevelChoice::one));
   BOOST_TEST(one.resolution == 50);
@@ -114,6 +123,16 @@ BOOST_AUTO_TEST_CASE(every_wrong_gate_is_refused_with_its_key) {
       {ok + R"(, "select": {"walls": "on", "formulation": {"id": "x", "walls": "off"}})",
        "gates[0].select.walls", "either here or in formulation"},
       {ok + R"(, "select": 3)", "gates[0].select", "an object"},
+      {ok + R"(, "runs": 0)", "gates[0].runs", "a whole number"},
+      {ok + R"(, "at_least": 1.5)", "gates[0].at_least", "a whole number"},
+      {ok + R"(, "runs": 2, "at_least": 1)", "gates[0].at_least", "'runs' or this key"},
+      {ok + R"(, "verdict": "ignore")", "gates[0].verdict", "an unknown key"},
+      {R"("measure": "order", "minimum": 1, "verdict": "maybe")", "gates[0].verdict", "ignore"},
+      {R"("measure": "order", "equals": "floored", "verdict": "ignore")", "gates[0].verdict",
+       "only beside a limit that is a number"},
+      {R"("measure": "skill", "maximum": 1, "relative": true)", "gates[0].relative", "an unknown key"},
+      {R"("measure": "time_error", "maximum": 1, "field": "temperature")", "gates[0].field",
+       "an unknown key"},
   };
   for (auto const& one : wrong) {
     std::string const said = refusal_of(one.gate);

@@ -58,6 +58,18 @@ BOOST_AUTO_TEST_CASE(a_limit_below_the_accuracy_is_refused) {
   BOOST_TEST(refusal(error("maximum", 1.1 * 0.5 * smallest) + relative, results) == "");
 }
 
+BOOST_AUTO_TEST_CASE(a_skill_is_held_to_the_accuracy_over_the_error_of_doing_nothing) {
+  RunRecord run = run_at(25, 1e-3);
+  run.errors["temperature"]["all"].initial = NormSet{1.0, 4.0, 8.0};
+  Results const results = results_of({run});
+  double const smallest = reference_accuracy("conduction/slab-dirichlet", {})->value / 4.0;
+  auto const refused = [&](double limit) {
+    return !refusal(fmt::format(R"("measure": "skill", "maximum": {})", limit), results).empty();
+  };
+  BOOST_TEST(refused(0.9 * smallest));
+  BOOST_TEST(!refused(1.1 * smallest));
+}
+
 BOOST_AUTO_TEST_CASE(that_of_a_gas_is_a_part_of_its_fields_and_of_its_speed_of_sound) {
   RunRecord run = run_at(25, 1e-3);
   run.case_id = "hydro/acoustic";

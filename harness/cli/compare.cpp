@@ -4,8 +4,8 @@
 #include <memory>
 #include <set>
 
-#include "formulations/rate_operator.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/cli/controls.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/compare.hpp"
@@ -45,14 +45,6 @@ std::string section_help() {
   std::string text = "One part alone; default: all but levels, of csv series";
   for (Section const& section : sections()) text += fmt::format("\n{}: {}", section.name, section.says);
   return text;
-}
-
-std::set<std::string> control_ids() {
-  std::set<std::string> ids;
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (scheme->control) ids.emplace(scheme->id);
-  }
-  return ids;
 }
 
 void compare_documents(CompareCommand const& command) {

@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/controls.hpp"
 #include "reports/html/report.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -21,7 +22,7 @@ void report(ReportCommand const& command) {
     std::string const name = path == "-" ? "results" : std::filesystem::path(path).stem().string();
     documents.push_back({name, read_results(path)});
   }
-  write_document(command.output, report_page(documents));
+  write_document(command.output, report_page(documents, control_ids()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "reports/html/page_runs.hpp"
 #include "reports/html/page_series.hpp"
 #include "reports/html/page_stability.hpp"
+#include "reports/html/page_summary.hpp"
 #include "reports/html/page_surfaces.hpp"
 #include "reports/table/time_ratio.hpp"
 
@@ -42,7 +43,8 @@ Json skipped_json(Results const& results) {
 
 /// @param rows of the document's series
 /// @param share how many documents share the room of the page
-Json document_json(NamedResults const& document, SeriesRow const* rows, std::size_t share) {
+Json document_json(NamedResults const& document, SeriesRow const* rows, std::size_t share,
+                   std::set<std::string> const& controls) {
   Results const& results = document.results;
   Context const& c = results.context;
   Dictionary word;
@@ -50,7 +52,7 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
   Json series = Json::array();
   for (std::size_t s = 0; s < results.series.size(); ++s) {
     for (std::size_t const run : results.series[s].runs) series_of[run] = s;
-    series.push_back(series_json(results.series[s], rows[s], results.runs, word));
+    series.push_back(series_json(results.series[s], rows[s], results.runs, controls, word));
   }
   Json json = {{"name", document.name},
                {"context",
@@ -63,8 +65,8 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                  {"date", c.date}}},
                {"study", Json::parse(results.study)},
                {"disturbance", disturbance({rows, rows + results.series.size()})},
-               {"summary", Json::array()},
-               {"surfaces", surfaces_json(results, word)},
+               {"summary", summary_json(summary_of({rows, rows + results.series.size()}, controls))},
+               {"surfaces", surfaces_json(results, controls, word)},
                {"series", std::move(series)},
                {"runs", runs_json(results, series_of, word)},
                {"profiles", profiles_json(results, share)},
@@ -83,12 +85,12 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
 
 }  // namespace page
 
-Json page_data(std::vector<NamedResults> const& documents) {
+Json page_data(std::vector<NamedResults> const& documents, std::set<std::string> const& controls) {
   auto const rows = series_rows(documents, "all", "");
   Json list = Json::array();
   std::size_t first_row = 0;
   for (NamedResults const& document : documents) {
-    list.push_back(page::document_json(document, rows.data() + first_row, documents.size()));
+    list.push_back(page::document_json(document, rows.data() + first_row, documents.size(), controls));
     first_row += document.results.series.size();
   }
   return list;

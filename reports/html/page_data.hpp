@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "reports/json/node.hpp"
@@ -10,6 +12,7 @@ namespace sphverify {
 /// What the report's page draws, for its scripts alone (reports/page/data.js reads it): a list of documents.
 /// Numbers are rounded to five digits. Of every ladder one profile, one history and one spectrum remain,
 /// thinned so that the page stays below 3 MB, and the stability and second law of its finest runs.
-Json page_data(std::vector<NamedResults> const& documents);
+/// @param controls formulations that are yardsticks: shown apart, never recommended
+Json page_data(std::vector<NamedResults> const& documents, std::set<std::string> const& controls);
 
 }  // namespace sphverify

@@ -156,14 +156,14 @@ Json row_json(SeriesRow const& row) {
 }  // namespace
 
 Json series_json(Series const& series, SeriesRow const& row, std::vector<RunRecord> const& runs,
-                 Dictionary& word) {
+                 std::set<std::string> const& controls, Dictionary& word) {
   Json json = {{"case", word(series.case_id)}, {"parameters", word(row.parameters)}};
   put_formulation(json, series.formulation, series.label, word);
   int first_resolution = row.finest;
   for (std::size_t const run : series.runs)
     first_resolution = std::min(first_resolution, runs[run].resolution);
   json["settings"] = settings_json(series.discretisation, series.smoothing_exponent, first_resolution, word);
-  json["is_control"] = !series.formulation.walls;
+  json["is_control"] = !series.formulation.walls || controls.contains(series.formulation.id);
   json["row"] = row_json(row);
   json["levels"] = levels_json(series, runs, word);
   json["orders"] = orders_json(series, runs, word);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <set>
+#include <string>
 #include <vector>
 
 #include "reports/html/page_json.hpp"
@@ -8,7 +10,8 @@
 namespace sphverify::page {
 
 /// One ladder: its settings, what the tables show of it, its levels, its errors and what the orders say.
+/// @param controls formulations that are yardsticks, besides all without wall terms
 Json series_json(Series const& series, SeriesRow const& row, std::vector<RunRecord> const& runs,
-                 Dictionary& word);
+                 std::set<std::string> const& controls, Dictionary& word);
 
 }  // namespace sphverify::page

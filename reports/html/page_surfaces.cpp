@@ -64,7 +64,7 @@ void put_error(Json& json, ErrorSurface const& e, Dictionary& word) {
 
 }  // namespace
 
-Json surfaces_json(Results const& results, Dictionary& word) {
+Json surfaces_json(Results const& results, std::set<std::string> const& controls, Dictionary& word) {
   Json list = Json::array();
   for (Surface const& s : results.surfaces) {
     Json json = {{"case", word(s.case_id)}, {"parameters", word(parameters_text(s.parameters))}};
@@ -72,6 +72,7 @@ Json surfaces_json(Results const& results, Dictionary& word) {
     // All h/dx of the grid belong to it.
     json["settings"] = settings_json(s.discretisation, 0.0, 0, word);
     json["settings"].erase("h/dx");
+    json["is_control"] = !s.formulation.walls || controls.contains(s.formulation.id);
     put_error(json, s.error, word);
     list.push_back(std::move(json));
   }

@@ -55,7 +55,7 @@ std::string title_of(std::vector<NamedResults> const& documents) {
 
 }  // namespace
 
-std::string report_page(std::vector<NamedResults> const& documents) {
+std::string report_page(std::vector<NamedResults> const& documents, std::set<std::string> const& controls) {
   if (page_resource("node_modules/d3/dist/d3.min.js").empty() ||
       page_resource("node_modules/@observablehq/plot/dist/plot.umd.min.js").empty()) {
     throw std::runtime_error(
@@ -72,7 +72,7 @@ std::string report_page(std::vector<NamedResults> const& documents) {
     if (name == "title") {
       page += escaped(title_of(documents));
     } else if (name == "data") {
-      page += script_json(page_data(documents));
+      page += script_json(page_data(documents, controls));
     } else if (name == "licences") {
       page += escaped(page_resource(name));
     } else {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@ namespace sphverify {
 
 /// One self-contained HTML page that shows the documents one after another: verdicts, plots, tables. It needs
 /// no network. Throws std::runtime_error if the program was built without the plotting library.
-std::string report_page(std::vector<NamedResults> const& documents);
+/// @param controls formulations that are yardsticks: shown apart, never recommended
+std::string report_page(std::vector<NamedResults> const& documents, std::set<std::string> const& controls);
 
 }  // namespace sphverify

@@ -248,8 +248,9 @@ function surfaceSentence(view, surface) {
     );
   }
   const path = cheapestPath(surface);
+  if (path && path.points.length < 2 && path.reason) parts.push(`no path: ${path.reason}`);
   if (surface.neighbourExponent.value !== null)
-    parts.push(`least cost with neighbours ~ N^${estimateText(surface.neighbourExponent)}`);
+    parts.push(`by the law least cost with neighbours ~ N^${estimateText(surface.neighbourExponent)}`);
   const rule = path?.rules.find((r) => r.exponent === neighbourRule);
   if (rule) {
     const ratio = rule.errorRatio;

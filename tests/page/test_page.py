@@ -375,9 +375,15 @@ class PageTest(program.ProgramTest):
         cls.laws = with_laws(copy.deepcopy(cls.cards))
         maker.write("laws.json", cls.laws)
         cls.scale = cls.laws["runs"][0]["errors"]["temperature"]["all"]["scale"]["l2"]
+        old = copy.deepcopy(cls.cards)
+        for series in old["series"]:
+            for order in series["orders"]:
+                for key in ["model", "law", "floor", "targets"]:
+                    del order[key]
+        maker.write("old.json", old)
         maker.study(LAYOUTS, "layouts.json")
         maker.write("surface.json", cls.cards | {"surfaces": surfaces_of(cls.cards)})
-        for name in ["cards", "soon", "useless", "laws", "layouts", "surface"]:
+        for name in ["cards", "soon", "useless", "laws", "old", "layouts", "surface"]:
             maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
@@ -596,6 +602,8 @@ class PageTest(program.ProgramTest):
 
     def test_controls_never_win_a_headline(self):
         self.open("soon.html")
+        first = self.one("section.summary article.across .sentences li").text
+        self.assertRegex(first, "^(brookshaw|lucy-flux): smallest error")
         lines = self.card_sentences()
         self.assertRegex(lines[0], r"^Soonest to 1%: brookshaw, 2 ms ")
         self.assertEqual([line for line in lines if "walls off" in line], [lines[-1]])
@@ -605,10 +613,74 @@ class PageTest(program.ProgramTest):
         controls = sorted(head.get_attribute("textContent") for head in self.all(body))
         self.assertEqual(controls, ["brookshaw (walls off)", "lucy-flux (walls off)"])
 
+    def test_opens_with_one_verdict_across_cases(self):
+        for name in ["heat", "cards"]:
+            self.open(f"{name}.html")
+            text = self.succeed("compare", self.place / f"{name}.json", "--format", "json")
+            group = json.loads(text)["summary"][0]
+            rows = group["formulations"]
+            article = self.one("section.summary > article:first-of-type")
+            self.assertEqual(article.get_attribute("class"), "verdict across")
+            self.assertEqual(self.one("section.part:first-of-type").get_attribute("id"), "document-1-summary")
+            title = article.find_element(By.CSS_SELECTOR, "h4").text
+            cases = len({scene["case"] for scene in group["scenes"]})
+            self.assertTrue(title.startswith(f"Across {cases} cases" if cases > 1 else "On slab-dirichlet, lattice:"))
+            lines = [line.text for line in article.find_elements(By.CSS_SELECTOR, ".sentences li")]
+            self.assertEqual(lines, group["sentences"])
+            cells = lambda column: self.cells(title, column)  # noqa: E731, B023
+            self.assertEqual(cells("formulation"), [row["name"] for row in rows])
+            controls = article.find_elements(By.CSS_SELECTOR, ".controls th[scope=row]")
+            self.assertEqual([c.text for c in controls], [row["name"] for row in rows if row["control"]])
+            self.assertTrue(all("walls off" in control.text for control in controls))
+            many = len(group["scenes"]) > 1
+            for k, row in enumerate(rows):
+                error = cells("mean error" if many else "error")[k]
+                if row["error"] is not None:
+                    self.assertAlmostEqual(float(error[:-1]) / row["error"], 100, delta=5.1)
+                order = cells("order [95%]")[k]
+                if row["order"] is None:
+                    self.assertEqual(order, "not known")
+                else:
+                    ends = [f"{row[key]:.2f}".replace("-0.00", "0.00") for key in ["order", "order_low", "order_high"]]
+                    self.assertEqual(order, f"{ends[0]} [{ends[1]}, {ends[2]}]")
+                flux = cells("wall flux error")[k]
+                if row["wall_flux_error"] is None:
+                    self.assertEqual(flux, "not known")
+                else:
+                    self.assertAlmostEqual(float(flux[:-1]) / row["wall_flux_error"], 100, delta=5.1)
+                drift, made = row["energy_pair_drift"], cells("energy made by pairs")[k]
+                if drift:
+                    self.assertAlmostEqual(float(made[:-1]) / drift, 100, delta=5.1)
+                else:
+                    self.assertEqual(made, "not known" if drift is None else "rounding")
+                growing = cells("growing modes")[k]
+                known = row["growing_modes"] is not None
+                self.assertEqual(growing, f"{row['growing_modes']:g}" if known else "not known")
+                fail = row["failed"] + row["missing"]
+                self.assertEqual(cells("fail")[k], f"{fail} of {row['scenes']}" if many and fail else str(fail))
+                self.assertIn(f"density {row['density']}", cells("setting")[k])
+                self.assertIn(f"h/dx {float(row['smoothing_ratio']):g} (N/", cells("setting")[k])
+                seconds = row["seconds_to_1_percent"]
+                if seconds is not None:
+                    shown, unit = cells("1% after")[k].split()[-2:]
+                    self.assertAlmostEqual(float(shown) * UNITS[unit] / seconds, 1, delta=0.006)
+                    self.assertEqual("≤" in cells("1% after")[k], row["seconds_are_bound"])
+            scroll = article.find_element(By.CSS_SELECTOR, ".scroll")
+            self.assertLessEqual(*(int(scroll.get_property(key)) for key in ("scrollWidth", "clientWidth")))
+            self.assert_silent()
+        # One case, one layout, one setting: the error is this ladder's.
+        for series in self.cards["series"]:
+            run = self.cards["runs"][series["runs"][-1]]
+            error = entry_of(series)["levels"][-1]["error"] / run["errors"]["temperature"]["all"]["scale"]["l2"]
+            shown = cells("error")[cells("formulation").index(name_of(series))]
+            self.assertAlmostEqual(float(shown[:-1]) / error, 100, delta=5.1)
+
     def test_errors_larger_than_the_field_are_no_merit(self):
         self.open("useless.html")
         lines = self.card_sentences()
         self.assertTrue(lines[0].startswith("None comes near; smallest error: brookshaw, 500% "), lines[0])
+        across = self.one("section.summary article.across .sentences li").text
+        self.assertTrue(across.startswith("None comes near. brookshaw: "), across)
         self.assertEqual(self.all("article.verdict .sentences .good"), [])
 
     def test_cards_say_wall_flux_conservation_and_stability(self):
@@ -699,9 +771,11 @@ class PageTest(program.ProgramTest):
         hint = self.one("section.convergence .hint").text
         for word in ["law", "Fans", "floor"]:
             self.assertIn(word, hint)
-        # Documents without laws say nothing of them.
-        self.open("heat.html")
-        self.assertEqual(self.all("g[aria-description='floor'] line"), [])
+        # Older documents have no laws.
+        self.open("old.html")
+        self.assertGreater(self.count("convergence", "circle"), 0)
+        for mark in ["fitted law", "floor", "interval of the floor"]:
+            self.assertEqual(self.all(f"g[aria-description='{mark}'] > *"), [])
         self.assert_silent()
 
     def test_hover_texts_and_tables_say_model_floor_and_where_one_percent_is_reached(self):

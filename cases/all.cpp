@@ -1,12 +1,17 @@
 #include "cases/all.hpp"
 
+#include <algorithm>
+
 #include "cases/support/case.hpp"
 
 namespace sphverify {
 
 std::vector<Case> const& all_cases() {
   static std::vector<Case> const cases = std::apply(
-      [](auto... one) { return std::vector<Case>{{decltype(one)::info(), &decltype(one)::problem}...}; }, AllCases{});
+      [](auto... one) {
+        return std::vector<Case>{{decltype(one)::info(), &decltype(one)::problem}...};
+      },
+      AllCases{});
   return cases;
 }
 
@@ -15,6 +20,40 @@ Case const* find_case(std::string_view id) {
     if (one.info.id == id) return &one;
   }
   return nullptr;
+}
+
+Parameters in_use(Case const& one, Parameters const& parameters) {
+  auto const seen = std::make_shared<std::set<std::string>>();
+  one.problem(parameters.noting(seen));
+  Parameters used = parameters;
+  for (ParameterSpec const& spec : one.info.parameters) {
+    if (seen->contains(spec.name)) continue;
+    if (parameters.is_given(spec.name)) {
+      throw std::invalid_argument(
+          spec.name + " has no effect beside these parameters (it is: " + spec.meaning + "); leave it out");
+    }
+    used.drop(spec.name);
+  }
+  return used;
+}
+
+Parameters until(Case const& one, Parameters const& parameters, double time) {
+  auto const spec = std::find_if(one.info.parameters.begin(), one.info.parameters.end(),
+                                 [](ParameterSpec const& each) { return each.name == "final_time"; });
+  if (spec == one.info.parameters.end()) return parameters;
+  // A final time counts in seconds or in the unit that another parameter names.
+  double const unit = spec->unit == "s" ? 1.0 : parameters.number(spec->unit);
+  if (!(unit > 0.0)) return parameters;  // the case says so
+  double const asked = time / unit;
+  double const known = parameters.number("final_time");
+  Parameters judged = parameters;
+  if (parameters.is_given("final_time")) {
+    judged.set("final_time", std::max(known, asked));
+  } else {
+    // No scene ends when it begins: at the start nothing has gone wrong yet.
+    judged.set("final_time", asked > 0.0 ? asked : known > 0.0 ? 1e-12 * known : 1e-30);
+  }
+  return judged;
 }
 
 }  // namespace sphverify

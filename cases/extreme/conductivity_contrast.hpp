@@ -47,6 +47,7 @@ struct ConductivityContrast {
         wall.temperature = problem.scalars[Field::temperature];
         wall.conductivity = [exact](Point const& x, double) { return exact.conductivity(x[0]); };
       }
+      problem.initial_jumps = {0.5};
       problem.landmarks["interface"] = [](double) { return 0.5; };
       problem.landmarks["decay_rate"] = [exact](double) { return exact.decay_rate(); };
       problem.accuracy = exact.accuracy();

@@ -49,6 +49,7 @@ struct DensityContrast {
         if (boundary == "pressure") prescribe_pressure(wall, pressure);
         if (boundary == "velocity") prescribe_velocity(wall, 0.0);
       }
+      problem.initial_jumps = {0.5};
       problem.landmarks["interface"] = [](double) { return 0.5; };
       problem.accuracy = std::numeric_limits<double>::epsilon();
       problem.final_time = p.number("final_time");

@@ -107,6 +107,7 @@ Problem<Dim> in_units(Problem<Dim> problem, Units const& units) {
       wall.path = [=, old = std::move(wall.path)](double t) -> Point { return length * old(t / time); };
     }
   }
+  for (double& jump : problem.initial_jumps) jump *= length;
   for (auto& [field, f] : problem.scalars) multiply(f, factors.of(field));
   for (auto& [field, f] : problem.vectors) multiply(f, factors.of(field));
   if (problem.conductivity) {

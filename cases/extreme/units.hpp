@@ -29,7 +29,7 @@ struct ConductionUnits {
                        {"mass_unit", "kg", "mass in a cube as thick as the slab", 1.0},
                        {"time_unit", "s", "time in which heat diffuses through it", 1.0},
                        {"temperature_unit", "K", "temperature of the wall x = 0", 1.0},
-                       {"final_time", "", "end of the run, in time units", 0.05}}};
+                       {"final_time", "time_unit", "end of the run", 0.05}}};
   }
   static AnyProblem problem(Parameters const& p) {
     Parameters slab(SlabDirichlet::info().parameters);
@@ -57,7 +57,7 @@ struct GasUnits {
         .parameters = {{"length_unit", "m", "length of the tube", 1.0},
                        {"mass_unit", "kg", "mass that it would hold at the left density", 1.0},
                        {"time_unit", "s", "length over the square root of left pressure over density", 1.0},
-                       {"final_time", "", "end of the run, in time units", 0.2}},
+                       {"final_time", "time_unit", "end of the run", 0.2}},
         .discontinuous = true};
   }
   static AnyProblem problem(Parameters const& p) {

@@ -25,12 +25,15 @@ struct GreshoVortex {
         .walls = "boundary = periodic: none; velocity: on all sides, at rest",
         .initial = "the solution, of density 1",
         .kind = CaseKind::hydro,
-        .parameters = {
-            {"gamma", "", "ratio of specific heats", 1.4},
-            {"mach", "",
-             "largest Mach number; 0: that of a pressure of 5 Pa in the centre, 0.36 for gamma 1.4", 0.0},
-            {"boundary", "", "periodic or velocity", std::string("periodic")},
-            {"final_time", "s", "end of the run (one turn of the core is 1.2566)", 1.0}}};
+        .parameters =
+            {{"gamma", "", "ratio of specific heats", 1.4},
+             {"mach", "",
+              "largest Mach number; 0: that of a pressure of 5 Pa in the centre, 0.36 for gamma 1.4", 0.0},
+             {"boundary", "", "periodic or velocity", std::string("periodic")},
+             {"final_time", "s", "end of the run (one turn of the core is 1.2566)", 1.0}},
+        .remarks =
+            "The exact solution stands still: the initial state taken for the answer scores 0 at all times, "
+            "so that errors say how fast the vortex is lost and not whether it was followed."};
   }
   static AnyProblem problem(Parameters const& p) {
     using Point = Vector<2>;

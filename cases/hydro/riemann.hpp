@@ -41,26 +41,33 @@ struct RiemannProblem {
             .walls = "two pistons that move with the undisturbed gas",
             .initial = "left state for x < interface, right state beyond",
             .kind = CaseKind::hydro,
-            .parameters = {{"preset", "", "sod, toro-1 to toro-5, leblanc; or custom: left, right, gamma",
+            .parameters = {{"preset", "",
+                            "sod, toro-1 to toro-5, leblanc, each with its states and its gamma; or custom: "
+                            "left, right, gamma",
                             std::string("sod")},
                            {"left", "", "[density, velocity, pressure]; makes the preset custom",
                             std::vector<double>{}},
-                           {"right", "", "likewise", std::vector<double>{}},
-                           {"gamma", "", "ratio of specific heats, of custom states", 1.4},
+                           {"right", "", "likewise; left and right go together", std::vector<double>{}},
+                           {"gamma", "",
+                            "ratio of specific heats, beside left and right only: a preset has its own", 1.4},
                            {"interface", "m", "where the gases meet", 0.5},
                            {"final_time", "s", "end of the run; 0: the preset's, 0.2 of custom states", 0.0}},
             .discontinuous = true};
   }
 
   static Preset states(Parameters const& p) {
-    double const gamma = exact::require_above("gamma", p.number("gamma"), 1.0);
+    std::vector<std::string> names{"custom"};
+    for (Preset const& preset : presets) names.emplace_back(preset.name);
     if (p.list("left").empty() && p.list("right").empty()) {
-      std::vector<std::string> names;
-      for (Preset const& preset : presets) names.emplace_back(preset.name);
       std::string const& name = p.one_of("preset", names);
+      if (name == "custom") throw std::invalid_argument("preset custom needs left and right");
       return *std::find_if(presets.begin(), presets.end(),
                            [&](Preset const& one) { return one.name == name; });
     }
+    // Two states make the preset custom without a word; who names another wants something else.
+    if (p.is_given("preset") && p.one_of("preset", names) != "custom")
+      throw std::invalid_argument("preset has no effect beside left and right; leave out one or the other");
+    double const gamma = exact::require_above("gamma", p.number("gamma"), 1.0);
     auto const state = [&](char const* side) -> exact::GasState {
       std::vector<double> const& values = p.list(side);
       if (values.size() != 3) {
@@ -91,6 +98,7 @@ struct RiemannProblem {
     double const lower = std::min(0.0, interface + 1.1 * (left_head - states.left.velocity) * final_time);
     double const upper = std::max(1.0, interface + 1.1 * (right_head - states.right.velocity) * final_time);
     Problem<1> problem = gas_problem(state, slab<1>(lower, upper), states.gamma);
+    problem.initial_jumps = {interface};
     prescribe_velocity(problem.walls[0], states.left.velocity);
     prescribe_velocity(problem.walls[1], states.right.velocity);
     if (!(states.left.density > 0.0 && states.right.density > 0.0)) {

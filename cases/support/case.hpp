@@ -33,6 +33,7 @@ struct CaseInfo {
   CaseKind kind;
   std::vector<ParameterSpec> parameters;
   bool discontinuous = false;  ///< the solution has jumps: viscosity is wanted, and orders are at most 1
+  std::string remarks{};       ///< what to know before believing its numbers; may be empty
 };
 
 /// A case of the list `AllCases` behind a common face.
@@ -46,6 +47,15 @@ std::vector<Case> const& all_cases();
 
 /// Null if there is none of that identifier.
 Case const* find_case(std::string_view id);
+
+/// The parameters that the case looks at, of these: the others change nothing, such as the gamma of custom
+/// states beside a preset that has its own. Throws std::invalid_argument if the user gave one of the others,
+/// and as the case does for values that make no sense.
+Parameters in_use(Case const& one, Parameters const& parameters);
+
+/// The parameters for a question about one time [s]: their `final_time` is that time, or what the user gave
+/// if that is later, so that a case judges what was asked and not a default that nobody asked for.
+Parameters until(Case const& one, Parameters const& parameters, double time);
 
 /// Dispatches on the `dimension` parameter: calls make.operator()<Dim>() for 1, 2 or 3.
 template <class Make>

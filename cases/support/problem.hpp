@@ -55,6 +55,11 @@ struct Problem {
   /// The shocks of the exact solution at a time, for what is measured at shocks; empty where there are none.
   std::function<std::vector<ShockFront>(double time)> shocks;
 
+  /// Planes across the domain's first axis on which the initial density, velocity or internal energy jumps,
+  /// or the conductivity of what stands still: their places along that axis [m], ascending, inside the
+  /// domain. A particle whose cell one of them cuts gets what the cell holds.
+  std::vector<double> initial_jumps{};
+
   /// Exact rates at time 0, for the operator cases.
   VectorFunction<Dim> acceleration;
   std::map<Rate, ScalarFunction<Dim>> heating;
@@ -66,8 +71,8 @@ struct Problem {
   /// Why no particles run this case: what it says then is a reference only. Empty: they do.
   std::string not_run_because;
 
-  /// Accuracy that the exact solution promises: of temperature or rates absolute, in their unit; of a gas relative
-  /// to the largest density, pressure and speed.
+  /// Accuracy that the exact solution promises: of temperature or rates absolute, in their unit; of a gas
+  /// relative to the largest density, pressure and speed.
   double accuracy = 0.0;
 
   /// Energy released at a point at the start [J]: it goes to the particles around the point, as much of it as

@@ -90,6 +90,10 @@ Layout<Dim> lattice(Domain<Dim> const& domain, int resolution) {
     }
     layout.positions.set(i, domain.to_space(x));
   }
+  if constexpr (Dim == 1) {
+    for (std::size_t i = 0; i <= total; ++i)
+      layout.edges.push_back(domain.lower[0] + static_cast<double>(i) * cell[0]);
+  }
   return layout;
 }
 
@@ -101,10 +105,12 @@ void set_voronoi_volumes(Layout<1>& layout, Domain<1> const& domain) {
   // Over a periodic end the last particle's image is the first one's neighbour.
   double const across = domain.periodic[0] ? 0.5 * (x.front() + x.back() - (upper - lower)) : lower;
   double left = across;
+  layout.edges = {across};
   for (std::size_t i = 0; i < n; ++i) {
     double const right =
         i + 1 < n ? 0.5 * (x[i] + x[i + 1]) : (domain.periodic[0] ? across + (upper - lower) : upper);
     layout.volumes[i] = right - left;
+    layout.edges.push_back(right);
     left = right;
   }
 }
@@ -161,18 +167,29 @@ Layout<3> close_packed(Domain<3> const& domain, int resolution) {
   return layout;
 }
 
-Layout<1> equal_mass(Domain<1> const& domain, int resolution,
-                     std::function<double(double x)> const& density) {
+Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<double(double x)> const& density,
+                     std::vector<double> const& jumps) {
   expects(resolution > 0);
-  // Mass from the lower end at the edges of cells much finer than the particles, by the midpoint rule, which
-  // takes a jump between two cells as it is.
+  // Mass from the lower end at the edges of cells much finer than the particles, and at the jumps, by the
+  // midpoint rule, which takes a jump between two cells as it is.
   constexpr int cells_per_particle = 256;
   std::size_t const cells = static_cast<std::size_t>(resolution) * cells_per_particle;
   double const width = domain.extent()[0] / static_cast<double>(cells);
   double const lower = domain.lower[0];
-  std::vector<double> mass(cells + 1, 0.0);
-  for (std::size_t c = 0; c < cells; ++c) {
-    mass[c + 1] = mass[c] + width * density(lower + (static_cast<double>(c) + 0.5) * width);
+  std::vector<double> edge{lower};
+  std::vector<double> mass{0.0};
+  auto const add_up_to = [&](double x) {
+    double const from = edge.back();
+    mass.push_back(mass.back() + (x - from) * density(0.5 * (from + x)));
+    edge.push_back(x);
+  };
+  auto jump = jumps.begin();
+  for (std::size_t c = 1; c <= cells; ++c) {
+    double const next = c < cells ? lower + static_cast<double>(c) * width : domain.upper[0];
+    for (; jump != jumps.end() && *jump < next; ++jump) {
+      if (*jump > edge.back()) add_up_to(*jump);
+    }
+    add_up_to(next);
   }
   double const share = mass.back() / resolution;
   Layout<1> layout;
@@ -180,14 +197,19 @@ Layout<1> equal_mass(Domain<1> const& domain, int resolution,
   layout.cell = Vector<1>(layout.spacing);
   layout.positions = VectorField<1>(static_cast<std::size_t>(resolution));
   std::size_t c = 0;
-  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
-    double const wanted = (static_cast<double>(i) + 0.5) * share;
-    while (mass[c + 1] < wanted) ++c;
+  auto const place_of = [&](double wanted) {  // to be called with rising masses
+    while (c + 2 < mass.size() && mass[c + 1] < wanted) ++c;
     double const part = (wanted - mass[c]) / (mass[c + 1] - mass[c]);
-    double const x = lower + (static_cast<double>(c) + part) * width;
+    return edge[c] + part * (edge[c + 1] - edge[c]);
+  };
+  layout.edges = {lower};
+  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
+    double const x = place_of((static_cast<double>(i) + 0.5) * share);
     layout.positions.set(i, Vector<1>(x));
     layout.volumes.push_back(share / density(x));
+    layout.edges.push_back(place_of(static_cast<double>(i + 1) * share));
   }
+  layout.edges.back() = domain.upper[0];
   return layout;
 }
 

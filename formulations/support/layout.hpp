@@ -17,6 +17,7 @@ struct Layout {
   std::vector<double> volumes;  ///< [m^Dim]; they add up to the domain's, but for particles of equal mass
   double spacing = 0.0;         ///< dx [m], the length that smoothing lengths are multiples of
   Vector<Dim> cell;             ///< size of the cells they were placed in, along the domain's axes [m]
+  std::vector<double> edges{};  ///< in 1D, of the particles' own cells: one more than particles [m]
 };
 
 // Every layout has a `resolution` N, and particles of about the volume of a cube with the edge extent[0]/N.
@@ -30,8 +31,11 @@ template <int Dim>
 Layout<Dim> lattice(Domain<Dim> const& domain, int resolution);
 
 /// Particles of equal mass in one dimension: where the mass from the lower end reaches (i + 1/2)/resolution
-/// of the whole. Volumes are masses over the density there. Expects a density that is positive throughout.
-Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<double(double x)> const& density);
+/// of the whole; their cells reach from i/resolution of it to (i + 1)/resolution. Volumes are masses over the
+/// density there. Expects a density that is positive throughout.
+/// @param jumps where the density jumps, ascending: the mass is then summed up to them and from them on
+Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<double(double x)> const& density,
+                     std::vector<double> const& jumps = {});
 
 /// The lattice with every coordinate displaced by a uniform deviate in +-amplitude cells, the same on every
 /// machine for one seed. Volumes are Voronoi volumes in 1D, cell volumes otherwise. Expects 0 <= amplitude <

@@ -76,8 +76,8 @@ Json describe_case(CaseInfo const& c) {
     parameters.push_back(
         fmt::format("{} [{}]{}: {}", p.name, value.dump(), p.unit.empty() ? "" : " in " + p.unit, p.meaning));
   }
-  return {{"equation", c.equation}, {"source", c.source},   {"domain", c.domain},
-          {"walls", c.walls},       {"initial", c.initial}, {"parameters", parameters}};
+  return {{"equation", c.equation}, {"source", c.source},       {"domain", c.domain},  {"walls", c.walls},
+          {"initial", c.initial},   {"parameters", parameters}, {"remarks", c.remarks}};
 }
 
 void add_words(std::vector<CatalogueEntry>& all) {

@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
+#include <set>
 
 #include "cases/support/case.hpp"
 #include "harness/cli/commands.hpp"
@@ -32,16 +33,19 @@ Parameters read_parameters(CaseInfo const& info, std::vector<std::string> const&
   Parameters parameters(info.parameters);
   std::vector<std::string> names;
   for (ParameterSpec const& spec : info.parameters) names.push_back(spec.name);
+  std::set<std::string> assigned;
   for (std::string const& assignment : assignments) {
     auto const equals = assignment.find('=');
     if (equals == std::string::npos)
       throw UserError("exact", "--parameter", "'" + assignment + "'", "NAME=VALUE");
     std::string const name = assignment.substr(0, equals);
+    if (!assigned.insert(name).second)
+      throw UserError("exact", "--parameter", "'" + assignment + "'", "every name only once");
     bool known = false;
     for (ParameterSpec const& spec : info.parameters) {
       if (spec.name != name) continue;
       Json const value = parse_value(assignment.substr(equals + 1));
-      parameters.set(name, read_parameter(Node(value, "exact", "--parameter " + name), spec));
+      parameters.give(name, read_parameter(Node(value, "exact", "--parameter " + name), spec));
       known = true;
     }
     if (!known) throw UserError("exact", "--parameter", "'" + name + "'", one_of(name, names));
@@ -139,16 +143,21 @@ void exact(ExactCommand const& command) {
     throw UserError("exact", "CASE", "'" + command.case_id + "'",
                     one_listed_by("sphverify list cases", command.case_id, ids));
   }
-  Parameters const parameters = read_parameters(found->info, command.parameters);
+  Parameters const given = read_parameters(found->info, command.parameters);
   if (!(command.time >= 0.0) || !std::isfinite(command.time)) {
     throw UserError("exact", "--time", fmt::format("{:g}", command.time), "a time of 0 or later");
   }
   Json document = {{"schema", "sphverify-exact/1"},
                    {"case", found->info.id},
-                   {"parameters", parameters_json(parameters.all())},
+                   {"parameters", nullptr},
                    {"time", command.time}};
   try {
-    AnyProblem const problem = found->problem(parameters);
+    Parameters used = in_use(*found, until(*found, given, command.time));
+    AnyProblem const problem = found->problem(used);
+    // At the start the scene may end whenever it likes.
+    if (command.time == 0.0 && given.all().contains("final_time"))
+      used.set("final_time", given.all().at("final_time"));
+    document["parameters"] = parameters_json(used.all());
     document.update(std::visit(
         [&](auto const& p) { return exact_in_dimension(p, command.time, command.points); }, problem));
   } catch (std::invalid_argument const& error) {

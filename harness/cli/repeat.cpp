@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "cases/support/case.hpp"
 #include "harness/cli/commands.hpp"
 #include "harness/study/expand.hpp"
 #include "reports/agreement.hpp"
@@ -16,6 +17,19 @@ struct RepeatCommand {
   std::int64_t run = 0;
   std::string output = "-";
 };
+
+/// Of a run's recorded parameters those that its case looks at: earlier versions recorded the others, too.
+Json used_parameters(RunRecord const& run) {
+  Case const* const found = find_case(run.case_id);
+  if (found == nullptr) return parameters_json(run.parameters);  // reading the study says so
+  Parameters parameters(found->info.parameters);
+  for (auto const& [name, value] : run.parameters) parameters.set(name, value);
+  try {
+    return parameters_json(in_use(*found, parameters).all());
+  } catch (std::exception const&) {
+    return parameters_json(run.parameters);  // likewise
+  }
+}
 
 /// The study whose last run is the one, measured and bounded as the whole was.
 Study study_of(Results const& results, RunRecord const& run, std::string const& file) {
@@ -35,7 +49,7 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
   Json const document = {
       {"schema", "sphverify-study/1"},
       {"name", whole.at("name")},
-      {"cases", Json::array({{{"id", record.at("case")}, {"parameters", record.at("parameters")}}})},
+      {"cases", Json::array({{{"id", record.at("case")}, {"parameters", used_parameters(run)}}})},
       {"formulations", Json::array({formulation})},
       {"discretisation", discretisation},
       {"resolution", resolutions},

@@ -29,6 +29,14 @@ std::unique_ptr<RateOperator<Dim>> operator_if_named(std::string const& id) {
   return id.empty() ? nullptr : make_rate_operator<Dim>(id);
 }
 
+/// A field of the exact initial state at places.
+template <int Dim>
+std::vector<double> sample(ScalarFunction<Dim> const& f, VectorField<Dim> const& places) {
+  std::vector<double> values(places.size());
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(places[i], 0.0);
+  return values;
+}
+
 template <int Dim>
 void copy_into(VectorField<Dim>& field, double const* state) {
   for (int k = 0; k < Dim; ++k) {
@@ -83,6 +91,9 @@ void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
     particles_.masses()[i] =
         problem_.scalars.at(Field::density)(layout.positions[i], 0.0) * layout.volumes[i];
   }
+  cut_cells_ = cut_cells(problem_, layout, choice.discretisation.layout);
+  for (CutCell<Dim> const& cell : cut_cells_)
+    particles_.masses()[cell.particle] = held(cell, problem_).density * cell.volume;
   particles_.positions() = std::move(layout.positions);
   particles_.allocate(
       {Field::density, Field::velocity, Field::pressure, Field::internal_energy, Field::sound_speed});
@@ -133,7 +144,16 @@ std::vector<double> MovingScene<Dim>::initial_state() {
   state.reserve(unknowns());
   VectorField<Dim> const x = particles_.positions();
   VectorField<Dim> v(n);
+  std::vector<double> e = sample(problem_.scalars.at(Field::internal_energy), x);
+  std::vector<double> rho;
+  if (has_continuity()) rho = sample(problem_.scalars.at(Field::density), x);
   for (std::size_t i = 0; i < n; ++i) v.set(i, problem_.vectors.at(Field::velocity)(x[i], 0.0));
+  for (CutCell<Dim> const& cell : cut_cells_) {
+    CellState<Dim> const inside = held(cell, problem_);
+    v.set(cell.particle, inside.velocity);
+    e[cell.particle] = inside.internal_energy;
+    if (has_continuity()) rho[cell.particle] = inside.density;
+  }
   for (VectorField<Dim> const* field : {&x, static_cast<VectorField<Dim> const*>(&v)}) {
     for (int k = 0; k < Dim; ++k) {
       state.insert(state.end(), field->component(k).begin(), field->component(k).end());
@@ -141,12 +161,10 @@ std::vector<double> MovingScene<Dim>::initial_state() {
   }
   std::vector<double> const released = released_energy();
   for (std::size_t i = 0; i < n; ++i) {
-    double const e = problem_.scalars.at(Field::internal_energy)(x[i], 0.0) + released[i];
-    state.push_back(evolves_total_energy() ? e + 0.5 * v[i].squaredNorm() : e);
+    double const internal = e[i] + released[i];
+    state.push_back(evolves_total_energy() ? internal + 0.5 * v[i].squaredNorm() : internal);
   }
-  if (has_continuity()) {
-    for (std::size_t i = 0; i < n; ++i) state.push_back(problem_.scalars.at(Field::density)(x[i], 0.0));
-  }
+  state.insert(state.end(), rho.begin(), rho.end());
   state.insert(state.end(), free_walls_.size(), 0.0);
   return state;
 }

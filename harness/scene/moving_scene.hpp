@@ -11,6 +11,7 @@
 #include "formulations/rate_operator.hpp"
 #include "formulations/viscosity/monaghan.hpp"
 #include "harness/integrate/ode.hpp"
+#include "harness/scene/cut_cells.hpp"
 #include "harness/scene/moving_geometry.hpp"
 #include "harness/scene/scene.hpp"
 
@@ -132,9 +133,10 @@ class MovingScene {
   std::vector<std::size_t> order_;  ///< particles along the axis, in 1D: they must not cross
   MovingGeometry<Dim> geometry_;
 
-  VectorField<Dim> drift_;           ///< velocities of the last evaluation's motion
-  VectorField<Dim> acceleration_;    ///< with viscosity and body force
-  std::vector<double> energy_rate_;  ///< of what the run evolves
+  VectorField<Dim> drift_;               ///< velocities of the last evaluation's motion
+  VectorField<Dim> acceleration_;        ///< with viscosity and body force
+  std::vector<double> energy_rate_;      ///< of what the run evolves
+  std::vector<CutCell<Dim>> cut_cells_;  ///< by jumps of the initial state
   ViscousRates<Dim> viscous_;
   std::vector<double> conduction_wall_power_;
   std::vector<double> wall_speed_;  ///< along the outward normal, of the free walls

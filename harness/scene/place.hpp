@@ -55,7 +55,9 @@ Layout<Dim> place_in_order(Problem<Dim> const& problem, LayoutChoice const& layo
   if constexpr (Dim == 1) {
     if (layout.id == "equal-mass") {
       auto const& density = problem.scalars.at(Field::density);
-      return equal_mass(problem.domain, resolution, [&](double x) { return density(Vector<1>(x), 0.0); });
+      return equal_mass(
+          problem.domain, resolution, [&](double x) { return density(Vector<1>(x), 0.0); },
+          problem.initial_jumps);
     }
   } else {
     if (layout.id == "glass") return glass(problem.domain, resolution, layout.seed);

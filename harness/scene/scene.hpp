@@ -8,6 +8,7 @@
 #include "cases/support/problem.hpp"
 #include "formulations/rate_operator.hpp"
 #include "formulations/support/layout.hpp"
+#include "harness/scene/cut_cells.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
@@ -77,11 +78,13 @@ class Scene {
   void find_geometry(SceneChoice const& choice);
   void set_fields();
   void set_conductivity();
+  double mean_density(CutCell<Dim> const& cell) const;
 
   Problem<Dim> problem_;
   std::unique_ptr<RateOperator<Dim>> operator_;
   Particles<Dim> particles_;
   PairGeometry<Dim> geometry_;
+  std::vector<CutCell<Dim>> cut_cells_;  ///< by jumps of what they are made of
   Closure closure_;
   double spacing_ = 0.0;
   int threads_;

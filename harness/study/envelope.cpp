@@ -15,14 +15,18 @@ RunSpec with_value(RunSpec spec, EnvelopeChoice const& choice, double value) {
     spec.discretisation.layout.amplitude = value;
   } else {
     auto const known = spec.parameters.all().find(choice.parameter);
+    for (ParameterSpec const& parameter : spec.scene_case->info.parameters) {
+      if (parameter.name != choice.parameter) continue;
+      if (parameter.integer)
+        throw std::invalid_argument(choice.parameter + " is a whole number: it cannot be halved at will");
+      if (known == spec.parameters.all().end())
+        throw std::invalid_argument(choice.parameter + " has no effect beside the parameters of " +
+                                    spec.scene_case->info.id + " (it is: " + parameter.meaning + ")");
+    }
     if (known == spec.parameters.all().end() || !std::holds_alternative<double>(known->second)) {
       throw std::invalid_argument(spec.scene_case->info.id + " has no number " + choice.parameter);
     }
-    for (ParameterSpec const& parameter : spec.scene_case->info.parameters) {
-      if (parameter.name == choice.parameter && parameter.integer)
-        throw std::invalid_argument(choice.parameter + " is a whole number: it cannot be halved at will");
-    }
-    spec.parameters.set(choice.parameter, value);
+    spec.parameters.give(choice.parameter, value);
   }
   return spec;
 }

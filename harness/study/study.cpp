@@ -68,9 +68,11 @@ std::string read_identifier(Node const& node, std::vector<std::string> const& kn
   return found;
 }
 
-/// Lets the case itself check what its parameters mean.
-void require_sensible(StudyCase const& choice, Node const& node) {
+/// Lets the case itself check what its parameters mean, and drops those that mean nothing beside the others.
+/// What was given and means nothing is the user's error.
+void require_sensible(StudyCase& choice, Node const& node) {
   try {
+    choice.parameters = in_use(*choice.scene_case, choice.parameters);
     AnyProblem const problem = choice.scene_case->problem(choice.parameters);
     double const final_time = std::visit([](auto const& p) { return p.final_time; }, problem);
     if (choice.scene_case->info.kind != CaseKind::rates && !(final_time > 0.0)) {
@@ -93,7 +95,7 @@ StudyCase read_case(Node const& node) {
     parameters->require_keys(names);
     for (ParameterSpec const& spec : found->info.parameters) {
       if (auto const value = parameters->find(spec.name))
-        choice.parameters.set(spec.name, read_parameter(*value, spec));
+        choice.parameters.give(spec.name, read_parameter(*value, spec));
     }
   }
   require_sensible(choice, node);
@@ -321,7 +323,10 @@ EnvelopeChoice read_envelope(Node const& node, Study const& study) {
         throw UserError(node.file() + ": " + node.key() + ": " + error.what());
       }
     };
-    for (char const* end : {"from", "to"}) require_sensible({one.scene_case, driven_to(end)}, node);
+    for (char const* end : {"from", "to"}) {
+      StudyCase driven{one.scene_case, driven_to(end)};
+      require_sensible(driven, node);
+    }
   }
   return choice;
 }

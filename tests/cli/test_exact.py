@@ -435,6 +435,27 @@ class Arguments(Exact):
         self.refuse(["exponent", "found 'three'", "a number"], "conduction/marshak",
                     "--parameter", "exponent=three", "--time", "1", "--points", "0")  # fmt: skip
 
+    def test_a_parameter_without_effect_is_refused(self):
+        self.refuse(["gamma has no effect"], "hydro/riemann", "--parameter", "preset=sod", "--parameter", "gamma=1.6666",
+                    "--time", "0.1", "--points", "0.5")  # fmt: skip
+        self.refuse(["preset has no effect"], "hydro/riemann", "--parameter", "preset=sod", "--parameter",
+                    "left=[1,0,1]", "--parameter", "right=[1,0,2]", "--time", "0.1", "--points", "0.5")  # fmt: skip
+        self.refuse(["'exponent=2'", "only once"], "conduction/marshak", "--parameter", "exponent=3", "--parameter",
+                    "exponent=2", "--time", "0.1", "--points", "0.5")  # fmt: skip
+        self.assertNotIn("gamma", self.exact("hydro/riemann", 0.1, [0.5], "preset=leblanc")["parameters"])
+
+    def test_the_asked_time_is_judged_and_not_a_default_that_nobody_asked_for(self):
+        for case, parameter, early, late in (("hydro/noh", "gamma=2.9", 0.1, 0.6),
+                                             ("conduction/marshak", "exponent=1", 0.1, 0.5),
+                                             ("conduction/barenblatt", "half_width=3.8", 0.1, 1.0)):  # fmt: skip
+            with self.subTest(case=case):
+                for time in (0.0, early):
+                    self.exact(case, time, [0.25], parameter)
+                self.assertEqual(self.exact(case, early, [0.25], parameter)["parameters"]["final_time"], early)
+                self.refuse([case], case, "--parameter", parameter, "--time", str(late), "--points", "0.25")
+                self.refuse([case], case, "--parameter", parameter, "--parameter", f"final_time={late}", "--time",
+                            str(early), "--points", "0.25")  # fmt: skip
+
     def test_bad_points_are_refused(self):
         for points, word in (("", "--points"), ("0,,1", "''"), ("0,", "''"), ("x", "'x'"), ("0.1:0.2", "1 coordinate"),
                              ("nan", "'nan'"), ("inf", "'inf'"), ("1e999", "'1e999'"), ("0 0.5", "'0 0.5'"),

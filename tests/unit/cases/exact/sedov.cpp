@@ -253,4 +253,27 @@ BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_CHECK_THROW(Sedov(3, std::numeric_limits<double>::quiet_NaN(), 1, 1), std::invalid_argument);
 }
 
+// What `describe hydro/sedov` says. Kamm & Timmes, LA-UR-07-2849, list 0.0673185 for a half space.
+BOOST_AUTO_TEST_CASE(planar_energy_counts_both_half_spaces) {
+  struct Known {
+    double gamma;
+    std::array<double, 3> alpha;
+  };
+  for (Known const& known :
+       {Known{1.4, {1.077486, 0.984074, 0.851072}}, Known{5.0 / 3.0, {0.602935, 0.564283, 0.493590}}}) {
+    for (int const d : dimensions) {
+      double const alpha = Sedov(d, known.gamma, 1.0, 1.0).energy_constant();
+      BOOST_TEST(std::abs(alpha - known.alpha[static_cast<std::size_t>(d - 1)]) < 6e-7);
+      Integrated independent(d, known.gamma);
+      independent.at(1e-4L);
+      BOOST_TEST(std::abs(alpha - static_cast<double>(independent.energy_constant())) < 1e-9);
+    }
+  }
+  double const alpha = Sedov(1, 1.4, 1.0, 1.0).energy_constant();
+  BOOST_TEST(std::abs(alpha * 0.125 - 0.134686) < 5e-7);
+  BOOST_TEST(std::abs(0.5 * alpha * 0.125 - 0.0673428) < 5e-8);
+  BOOST_TEST(std::abs(Sedov(1, 1.4, 1.0, 0.134686).shock_radius(1.0) - 0.5) < 1e-6);
+  BOOST_TEST(std::abs(Sedov(1, 1.4, 1.0, 2.0 * 0.0673185).shock_radius(1.0) - 0.49994) < 5e-6);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -374,6 +374,31 @@ Study moving_with(std::string const& key, std::string const& value) {
   return read(document);
 }
 
+BOOST_AUTO_TEST_CASE(parameters_without_effect_are_refused_and_defaults_without_effect_not_written) {
+  auto const tube = [](std::string const& parameters) {
+    Json document = smallest();
+    document["cases"] = Json::parse(R"([{"id": "hydro/riemann", "parameters": )" + parameters + "}]");
+    document["formulations"] = "momentum/p-rho2";
+    return document;
+  };
+  check_says(refusal(tube(R"({"preset": "sod", "gamma": 1.6666})")),
+             {"study.json: cases[0]", "gamma has no effect"});
+  check_says(refusal(tube(R"({"gamma": 1.4})")), {"gamma has no effect"});
+  check_says(refusal(tube(R"({"preset": "sod", "left": [1, 0, 1], "right": [1, 0, 2]})")),
+             {"preset has no effect"});
+  for (char const* parameters :
+       {R"({"preset": "leblanc"})", R"({"left": [1, 0, 1], "right": [1, 0, 2], "gamma": 1.6})"}) {
+    Study const study = read(tube(parameters));
+    Json const written = to_json(study);
+    BOOST_TEST(written["cases"][0]["parameters"].contains("gamma") ==
+               study.cases[0].parameters.is_given("gamma"));
+    BOOST_TEST(to_json(read(written)).dump() == written.dump());
+  }
+  Json driven = tube("{}");
+  driven["envelope"] = Json::parse(R"({"parameter": "gamma", "from": 1.2, "to": 1.6})");
+  check_says(refusal(driven), {"envelope", "gamma has no effect"});
+}
+
 BOOST_AUTO_TEST_CASE(a_moving_gas_has_defaults_of_its_own) {
   Study const study = read(moving());
   BOOST_TEST(study.densities == Words{"continuity"}, per_element());

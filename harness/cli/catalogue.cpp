@@ -89,14 +89,17 @@ void add_words(std::vector<CatalogueEntry>& all) {
                                {"parameters", Json::array({"smoothing_ratio [1.2]: h/dx"})}};
                  }});
   all.push_back({"layouts", "lattice", "Particles at the centres of equal cells", "", [] {
-                   return Json{{"equation", "mass = density at the centre times cell volume"},
-                               {"parameters", Json::array()}};
+                   return Json{
+                       {"equation",
+                        "mass = density at the centre times cell volume; of a cell that a jump of the "
+                        "initial state cuts mass, momentum and energy are its integrals over the cell"},
+                       {"parameters", Json::array()}};
                  }});
   all.push_back({"layouts", "jittered", "Lattice with every coordinate displaced at random", "", [] {
                    return Json{
                        {"equation",
                         "displacement uniform in +-amplitude dx per axis; mass = density times "
-                        "Voronoi volume in 1D, cell volume otherwise"},
+                        "Voronoi volume in 1D, cell volume otherwise; cells that a jump cuts as of lattice"},
                        {"parameters", Json::array({"amplitude, in dx, below 0.5",
                                                    "seed, or a list of seeds: replicates of each level"})}};
                  }});

@@ -145,10 +145,13 @@ void add_times(SummaryRow& row) {
 }
 
 void add_numbers(SummaryRow& row) {
+  bool is_known =
+      true;  // the order, on every scene: what has none somewhere, as on a floor, has none as worst
   for (SeriesRow const& ladder : row.ladders) {
     if (ladder.stability && ladder.stability->growing_modes)
       keep_largest(row.growing_modes, static_cast<double>(*ladder.stability->growing_modes));
     if (!ladder.failures.empty()) continue;
+    is_known = is_known && (!ladder.error || ladder.order);
     if (ladder.order && ladder.lower && ladder.upper && (!row.order || *ladder.order < *row.order)) {
       row.order = ladder.order;
       row.order_low = ladder.lower;
@@ -166,6 +169,7 @@ void add_numbers(SummaryRow& row) {
       keep_largest(row.energy_pair_drift, drift <= ladder.energy_rounding.value_or(0.0) ? 0.0 : drift);
     }
   }
+  if (!is_known) row.order = row.order_low = row.order_high = std::nullopt;
 }
 
 SummaryRow row_of(Formulation const& formulation, std::vector<std::size_t> const& scenes) {

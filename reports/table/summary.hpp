@@ -49,7 +49,7 @@ struct SummaryRow {
   Number error;  ///< geometric mean over the sound and diverging scenes, relative where the field is not 0
   Number worst_error;  ///< the largest of them
   std::size_t worst_scene = 0;
-  Number order, order_low, order_high;  ///< of the scene whose order is the lowest
+  Number order, order_low, order_high;  ///< the lowest; empty if some scene has none
   Number floor, floor_low, floor_high;  ///< of the scene whose floor is the highest
   Number wall_flux, wall_impulse;       ///< the worst
   Number energy_pair_drift;             ///< the worst; 0 where all are rounding

@@ -102,7 +102,8 @@ TextTable summary_table(SummaryGroup const& group, bool controls) {
   std::vector<Column const*> shown;
   for (Column const& column : columns()) {
     if (controls && !column.of_controls) continue;
-    if (!std::any_of(group.rows.begin(), group.rows.end(), column.has)) continue;
+    if (std::none_of(rows.begin(), rows.end(), [&](SummaryRow const* row) { return column.has(*row); }))
+      continue;
     shown.push_back(&column);
     table.header.emplace_back(column.name);
   }

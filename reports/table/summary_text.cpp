@@ -294,7 +294,8 @@ std::vector<LegendEntry> summary_legend() {
        "The answer: a scene is a case on a layout. Each formulation stands at the one setting with which it "
        "fails on the fewest scenes, then diverges on the fewest, then has the smallest error."},
       {"error", "at the finest level, relative to the exact field, geometric mean of the scenes"},
-      {"order, floor", "of the scene where the order is lowest, the floor highest"},
+      {"order, floor",
+       "of the scene where the order is lowest (none if some scene has none), the floor highest"},
       {"<", "a floor that may be none"},
       {"wall flux, wall impulse, energy made", "the worst scene"},
       {"1% after", "run time to 1% error on the slowest scene, or the N at which the law gets there"},

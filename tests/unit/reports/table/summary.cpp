@@ -209,6 +209,8 @@ BOOST_AUTO_TEST_CASE(a_row_shows_the_worst_of_its_scenes) {
   BOOST_TEST(row().reach_percent == 1);
   b.percent_target.resolution = 400.0;
   BOOST_TEST(*row().percent_resolution == 400.0);
+  b.order.reset();
+  BOOST_TEST(!row().order.has_value(), "one scene has none");
   b.to_percent.seconds = 0.3;
   BOOST_TEST(*row().seconds_to_percent == 0.3);
   BOOST_TEST(!row().percent_resolution.has_value());

@@ -171,21 +171,21 @@ BOOST_AUTO_TEST_CASE(two_seeds_tell_little_of_their_scatter) {
 }
 
 BOOST_AUTO_TEST_CASE(an_order_changes_when_it_leaves_the_interval) {
-  auto const bent = [](double last) {
+  auto const judged = [](double order, double half_width, std::string const& verdict) {
     Results results = results_of({Ladder{}});
-    for (RunRecord& run : results.runs) {
-      if (run.resolution != 100) continue;
-      NormSet& e = run.errors["temperature"]["all"].error;
-      e = {e.l1 * last, e.l2 * last, e.linf * last};
+    for (OrderEntry& entry : results.series.at(0).orders) {
+      entry.observed.order = order;
+      entry.observed.lower = order - half_width;
+      entry.observed.upper = order + half_width;
+      entry.observed.verdict = verdict;
     }
-    results.series = build_series(results.runs);
     return results;
   };
-  Compared const within(results_of({Ladder{}}), bent(1.2));
+  Compared const within(judged(1.0, 0.3, "asymptotic"), judged(0.8, 0.3, "asymptotic"));
   BOOST_TEST(within.count("order").within_noise == 1);
-  Compared const steeper(results_of({Ladder{.order = 1.0}}), results_of({Ladder{.order = 2.0}}));
+  Compared const steeper(judged(1.0, 0.1, "asymptotic"), judged(2.0, 0.1, "asymptotic"));
   BOOST_TEST(steeper.count("order").better == 1);
-  Compared const flat(results_of({Ladder{}}), results_of({Ladder{.order = 0.01}}));
+  Compared const flat(judged(1.0, 0.1, "asymptotic"), judged(0.01, 0.1, "floored"));
   BOOST_TEST(flat.count("verdict").changed == 1);
   BOOST_TEST(flat.count("order").worse == 1);
 }

@@ -69,6 +69,8 @@ struct RegionError {
   std::optional<NormSet>
       initial{};  ///< the error if the initial state were the answer: what doing nothing scores
   Number mean{};  ///< weighted mean of computed - exact, with its sign; of scalar fields
+  std::optional<NormSet> allowed{};  ///< highest orders that features of the exact solution in the region
+                                     ///< permit; empty: there are none
 };
 
 /// region -> error; a region without particles is absent.

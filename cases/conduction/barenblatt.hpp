@@ -38,6 +38,10 @@ struct BarenblattPulse {
         exact, slab<1>(-half_width, half_width), 1.0, [exact](double T) { return exact.conductivity(T); },
         true);
     for (Wall<1>& wall : problem.walls) prescribe_temperature(problem, wall);
+    problem.features = [exact, n = p.number("exponent") - 1.0](double t) -> Features<1> {
+      return {heat_front<1>(
+          n, [front = exact.front(t)](Vector<1> const& x) { return std::abs(std::abs(x[0]) - front); })};
+    };
     problem.landmarks["front"] = [exact](double t) { return exact.front(t); };
     problem.final_time = final_time;
     return problem;

@@ -35,6 +35,13 @@ Problem<Dim> conduction_problem(Exact const& exact, Domain<Dim> const& domain, d
   return problem;
 }
 
+/// Where heat ends that runs into T = 0 with K ~ T^n: T^n goes as the distance d, and the flux, T times the
+/// front's speed, as T.
+template <int Dim>
+Feature<Dim> heat_front(double n, std::function<double(Vector<Dim> const& x)> distance) {
+  return {"front", rough({{Field::temperature, 1.0 / n}, {Field::flux, 1.0 / n}}), std::move(distance)};
+}
+
 /// Makes a wall prescribe the exact temperature, and the conductivity that belongs to it.
 template <int Dim>
 void prescribe_temperature(Problem<Dim>& problem, Wall<Dim>& wall) {

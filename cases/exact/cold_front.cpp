@@ -209,11 +209,23 @@ double ColdFront::conductivity(double temperature) const {
   return exponent_ == 0.0 ? conductivity_ : conductivity_ * std::pow(std::max(temperature, 0.0), exponent_);
 }
 
+double ColdFront::place_of(double excess) const {
+  double const rank = (std::log(excess) - lowest_) / step_;
+  auto const k = std::min(static_cast<std::size_t>(rank), nodes_.size() - 2);
+  return between(rank - static_cast<double>(k), place_jet(k), place_jet(k + 1));
+}
+
 double ColdFront::front(double t) const {
-  double const rank = (std::log(0.5 * (1.0 - cold_)) - lowest_) / step_;
-  auto const k = static_cast<std::size_t>(rank);
-  return between(rank - static_cast<double>(k), place_jet(k), place_jet(k + 1)) *
-         std::sqrt(conductivity_ * require_not_negative("time", t));
+  return place_of(0.5 * (1.0 - cold_)) * std::sqrt(conductivity_ * require_not_negative("time", t));
+}
+
+double ColdFront::foot(double t) const {
+  return place_of(std::min(cold_, 1.0 - cold_)) * std::sqrt(conductivity_ * require_not_negative("time", t));
+}
+
+double ColdFront::foot_width(double t) const {
+  auto const k = static_cast<std::size_t>((std::log(std::min(cold_, 1.0 - cold_)) - lowest_) / step_);
+  return std::abs(place_jet(k).first) / step_ * std::sqrt(conductivity_ * require_not_negative("time", t));
 }
 
 double ColdFront::heat(double t) const {

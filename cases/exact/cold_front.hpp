@@ -38,6 +38,12 @@ class ColdFront {
   /// Where the temperature is in the middle between wall and medium.
   double front(double t) const;
 
+  /// Where the excess is as large as `cold`: the front of a medium that were quite cold ends there.
+  double foot(double t) const;
+
+  /// In which the excess falls by e there: with cold^n it goes to nothing.
+  double foot_width(double t) const;
+
   /// Heat that has come through the wall, per area: the integral of T - cold.
   double heat(double t) const;
 
@@ -56,8 +62,9 @@ class ColdFront {
   Jet steepness_jet(std::size_t k) const;
   static double between(double s, Jet const& low, Jet const& high);
 
-  double rank_of(double place) const;  // (y - lowest_)/step_ there; negative beyond the toe
-  double excess(double rank) const;    // w
+  double place_of(double excess) const;  // xi
+  double rank_of(double place) const;    // (y - lowest_)/step_ there; negative beyond the toe
+  double excess(double rank) const;      // w
 
   double exponent_;
   double cold_;

@@ -10,13 +10,6 @@
 
 namespace sphverify::exact {
 
-namespace {
-
-constexpr double fastest = 0.2;  // where the velocity is 1
-constexpr double edge = 0.4;
-
-}  // namespace
-
 Gresho::Gresho(double central_pressure)
     : central_pressure_(require_positive("pressure in the centre", central_pressure)) {}
 

@@ -18,6 +18,8 @@ namespace sphverify::exact {
 class Gresho {
  public:
   static constexpr double density = 1.0;
+  static constexpr double fastest = 0.2;  ///< where the velocity is 1
+  static constexpr double edge = 0.4;     ///< where it ends
 
   explicit Gresho(double central_pressure);
 

@@ -45,6 +45,12 @@ struct ColdFront {
         exact::ColdFront const exact(exponent, cold, conductivity);
         problem = conduction_problem(
             exact, slab<Dim>(0.0, 1.0), 1.0, [exact](double T) { return exact.conductivity(T); }, true);
+        problem.features = [exact, exponent](double t) -> Features<Dim> {
+          Feature<Dim> front = heat_front<Dim>(
+              exponent, [foot = exact.foot(t)](Vector<Dim> const& x) { return std::abs(x[0] - foot); });
+          front.width = exact.foot_width(t);
+          return {front};
+        };
         problem.landmarks["front"] = [exact](double t) { return exact.front(t); };
       }
       for (Wall<Dim>& wall : problem.walls) prescribe_temperature(problem, wall);

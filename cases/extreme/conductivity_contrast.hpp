@@ -48,6 +48,11 @@ struct ConductivityContrast {
         wall.conductivity = [exact](Point const& x, double) { return exact.conductivity(x[0]); };
       }
       problem.initial_jumps = {0.5};
+      // The flux and its slope, which is -dT/dt, are continuous.
+      problem.features = [contrast = p.number("contrast")](double) -> Features<Dim> {
+        if (contrast == 1.0) return {};
+        return {plane_feature<Dim>("interface", {{Field::temperature, 1.0}}, 0.5)};
+      };
       problem.landmarks["interface"] = [](double) { return 0.5; };
       problem.landmarks["decay_rate"] = [exact](double) { return exact.decay_rate(); };
       problem.accuracy = exact.accuracy();

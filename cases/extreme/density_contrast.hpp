@@ -50,6 +50,10 @@ struct DensityContrast {
         if (boundary == "velocity") prescribe_velocity(wall, 0.0);
       }
       problem.initial_jumps = {0.5};
+      problem.features = [contrast](double) -> Features<Dim> {
+        if (contrast == 1.0) return {};
+        return {plane_feature<Dim>("contact", density_and_energy(0.0), 0.5)};
+      };
       problem.landmarks["interface"] = [](double) { return 0.5; };
       problem.accuracy = std::numeric_limits<double>::epsilon();
       problem.final_time = p.number("final_time");

@@ -130,6 +130,18 @@ Problem<Dim> in_units(Problem<Dim> problem, Units const& units) {
       return fronts;
     };
   }
+  if (problem.features) {
+    problem.features = [=, old = std::move(problem.features)](double t) {
+      Features<Dim> features = old(t / time);
+      for (Feature<Dim>& one : features) {
+        one.width *= length;
+        one.distance = [length, was = std::move(one.distance)](Point const& x) {
+          return length * was(x / length);
+        };
+      }
+      return features;
+    };
+  }
   if (problem.holds) {
     problem.holds = [=, old = std::move(problem.holds)](Point const& x, double t) {
       return old(x / length, t / time);

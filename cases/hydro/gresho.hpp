@@ -59,6 +59,16 @@ struct GreshoVortex {
       Point const r = from_centre(x);
       return vortex.angular_velocity(r.norm()) * Point(-r[1], r[0]);
     };
+    // The pressure, an integral of the velocity's square, has none.
+    problem.features = [=](double) -> Features<2> {
+      Features<2> kinks;
+      for (double const radius : {exact::Gresho::fastest, exact::Gresho::edge}) {
+        kinks.push_back({"kink", {{Field::velocity, 1.0}}, [=](Point const& x) {
+                           return std::abs(from_centre(x).norm() - radius);
+                         }});
+      }
+      return kinks;
+    };
     problem.accuracy = vortex.accuracy();
     problem.final_time = p.number("final_time");
     return problem;

@@ -77,6 +77,11 @@ struct NohProblem {
           return (shocked ? r * (gamma + 1.0) / (gamma - 1.0) : r + t) < undisturbed;
         };
       }
+      problem.features = [noh](double t) -> Features<Dim> {
+        Feature<Dim> origin = round_feature<Dim>("start of the shock", {}, 0.0);
+        origin.codimension = Dim;
+        return {round_feature<Dim>("shock", whole_gas(0.0), noh.shock_speed() * t), origin};
+      };
       problem.landmarks["shock"] = [noh](double t) { return noh.shock_speed() * t; };
       problem.accuracy = noh.accuracy();
       problem.final_time = final_time;

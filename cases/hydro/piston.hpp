@@ -43,6 +43,11 @@ struct PistonCase {
       return {{place, initial_pressure, shock.piston_velocity() * t, place, shock.post_density(),
                shock.piston_velocity(), pressure}};
     };
+    problem.features = [shock](double t) -> Features<Dim> {
+      if (shock.piston_velocity() == 0.0) return {};
+      return {plane_feature<Dim>("shock", whole_gas(0.0), shock.shock_speed() * t),
+              plane_feature<Dim>("start of the shock", {}, shock.piston_velocity() * t)};
+    };
     problem.landmarks["shock"] = [shock](double t) { return shock.shock_speed() * t; };
     problem.landmarks["piston"] = [shock](double t) { return shock.piston_velocity() * t; };
     problem.accuracy = shock.accuracy();

@@ -6,6 +6,7 @@
 
 #include "cases/exact/require.hpp"
 #include "cases/exact/riemann.hpp"
+#include "cases/hydro/gas_features.hpp"
 #include "cases/hydro/gas_problem.hpp"
 #include "cases/support/case.hpp"
 
@@ -128,6 +129,9 @@ struct RiemannProblem {
         return fronts;
       };
     }
+    problem.features = [=](double t) {
+      return riemann_features(riemann, states.left, states.right, states.gamma, interface, t);
+    };
     problem.accuracy = riemann.accuracy();
     problem.final_time = final_time;
     return problem;

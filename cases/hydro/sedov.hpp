@@ -93,6 +93,11 @@ struct SedovExplosion {
       problem.holds = [=](Point const& x, double t) {
         return state(x.norm(), t).density >= thinnest * density;
       };
+      problem.features = [=](double t) -> Features<Dim> {
+        Feature<Dim> origin = round_feature<Dim>("explosion", {}, 0.0);
+        origin.codimension = Dim;
+        return {round_feature<Dim>("shock", whole_gas(0.0), sedov.shock_radius(t)), origin};
+      };
       problem.landmarks["shock"] = [=](double t) { return sedov.shock_radius(t); };
       problem.landmarks["alpha"] = [alpha = sedov.energy_constant()](double) { return alpha; };
       // Pressure ahead changes the shock's speed to this order.

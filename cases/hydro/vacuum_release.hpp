@@ -1,9 +1,8 @@
 #pragma once
 
-#include <algorithm>
-
 #include "cases/exact/require.hpp"
 #include "cases/exact/riemann.hpp"
+#include "cases/hydro/gas_features.hpp"
 #include "cases/hydro/gas_problem.hpp"
 #include "cases/support/case.hpp"
 
@@ -37,13 +36,18 @@ struct VacuumRelease {
     double const front = riemann.waves().right_head;
     // At the front the fan's state is the limit from within; no particle is beyond it in the exact flow, and
     // one that is in a run is compared with the front.
-    auto const state = [=](double x, double t) {
-      return t > 0.0 ? riemann.at(std::min((x - 1.0) / t, front)) : rest;
+    auto const state = [=](double x, double t) -> exact::GasState {
+      if (t == 0.0) return rest;
+      double const speed = (x - 1.0) / t;
+      return speed < front ? riemann.at(speed) : exact::GasState{0.0, front, 0.0};
     };
     Problem<1> problem = gas_problem(state, slab<1>(0.0, 1.0), gamma);
     prescribe_velocity(problem.walls[0], 0.0);
     prescribe_pressure(problem.walls[1], 0.0);
     problem.landmarks["front"] = [front](double t) { return 1.0 + front * t; };
+    problem.features = [=](double t) {
+      return riemann_features(riemann, rest, {0.0, 0.0, 0.0}, gamma, 1.0, t);
+    };
     problem.accuracy = riemann.accuracy();
     problem.final_time = final_time;
     return problem;

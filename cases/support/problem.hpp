@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "cases/support/features.hpp"
 #include "formulations/support/domain.hpp"
 #include "formulations/support/scheme.hpp"
 #include "formulations/support/walls.hpp"
@@ -59,6 +60,9 @@ struct Problem {
   /// or the conductivity of what stands still: their places along that axis [m], ascending, inside the
   /// domain. A particle whose cell one of them cuts gets what the cell holds.
   std::vector<double> initial_jumps{};
+
+  /// Where the exact solution is not smooth at a time; empty where it is smooth everywhere, always.
+  std::function<Features<Dim>(double time)> features{};
 
   /// Exact rates at time 0, for the operator cases.
   VectorFunction<Dim> acceleration;

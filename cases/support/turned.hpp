@@ -71,6 +71,17 @@ Problem<Dim> turned(Problem<Dim> problem, typename Domain<Dim>::Axes const& axes
       return old(axes.transpose() * x, t);
     };
   }
+  if (problem.features) {
+    problem.features = [axes, old = std::move(problem.features)](double t) {
+      Features<Dim> features = old(t);
+      for (Feature<Dim>& one : features) {
+        one.distance = [axes, was = std::move(one.distance)](Point const& x) {
+          return was(axes.transpose() * x);
+        };
+      }
+      return features;
+    };
+  }
   if (problem.point_energy) problem.point_energy->place = axes * problem.point_energy->place;
   problem.accuracy *= 1.0 + Dim;
   return problem;

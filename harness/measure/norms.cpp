@@ -54,9 +54,11 @@ bool is_in_corner(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, dou
 
 template <int Dim>
 std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls,
-                            std::function<bool(std::size_t)> const& counts) {
+                            std::function<bool(std::size_t)> const& counts, Features<Dim> const& features,
+                            double smooth_margin) {
   SmoothingLength const h(particles);
-  Region all{"all", {}}, wall{"wall", {}}, corner{"corner", {}}, interior{"interior", {}};
+  Region all{"all", {}}, wall{"wall", {}}, corner{"corner", {}}, interior{"interior", {}},
+      smooth{"smooth", {}};
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (counts && !counts(i)) continue;
     double nearest = std::numeric_limits<double>::infinity();
@@ -67,9 +69,15 @@ std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Di
     if (nearest < support && is_in_corner(particles.positions()[i], walls, support))
       corner.particles.push_back(i);
     if (nearest > 2.0 * support) interior.particles.push_back(i);
+    bool const is_smooth = std::all_of(features.begin(), features.end(), [&](Feature<Dim> const& one) {
+      return one.width > h(i) ||
+             one.distance(particles.positions()[i]) > std::max(2.0 * support, smooth_margin);
+    });
+    if (is_smooth && !features.empty()) smooth.particles.push_back(i);
   }
   std::vector<Region> found;
-  for (Region& region : {std::ref(all), std::ref(wall), std::ref(corner), std::ref(interior)}) {
+  for (Region& region :
+       {std::ref(all), std::ref(wall), std::ref(corner), std::ref(interior), std::ref(smooth)}) {
     if (!region.particles.empty()) found.push_back(std::move(region));
   }
   return found;
@@ -98,11 +106,20 @@ FieldErrors field_errors(std::vector<std::span<double const>> const& computed,
   return errors;
 }
 
+Number mean_difference(std::span<double const> computed, std::span<double const> exact,
+                       std::span<double const> weights, Region const& region) {
+  double total = 0.0;
+  for (std::size_t const i : region.particles) total += weights[i];
+  double mean = 0.0;
+  for (std::size_t const i : region.particles) mean += weights[i] / total * (computed[i] - exact[i]);
+  return std::isfinite(mean) ? Number(mean) : std::nullopt;
+}
+
 template std::vector<Region> regions(Particles<1> const&, std::vector<Wall<1>> const&,
-                                     std::function<bool(std::size_t)> const&);
+                                     std::function<bool(std::size_t)> const&, Features<1> const&, double);
 template std::vector<Region> regions(Particles<2> const&, std::vector<Wall<2>> const&,
-                                     std::function<bool(std::size_t)> const&);
+                                     std::function<bool(std::size_t)> const&, Features<2> const&, double);
 template std::vector<Region> regions(Particles<3> const&, std::vector<Wall<3>> const&,
-                                     std::function<bool(std::size_t)> const&);
+                                     std::function<bool(std::size_t)> const&, Features<3> const&, double);
 
 }  // namespace sphverify

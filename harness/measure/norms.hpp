@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cases/support/features.hpp"
+#include "formulations/support/domain.hpp"
 #include "formulations/support/particles.hpp"
 #include "formulations/support/walls.hpp"
 #include "reports/results.hpp"
@@ -22,11 +24,23 @@ struct Region {
 };
 
 /// `all`; `wall`: within the support 2h of a wall; `corner`: of those, within 2h of two that are not
-/// parallel; `interior`: beyond 4h from every wall. Regions without particles are left out.
+/// parallel; `interior`: beyond 4h from every wall; `smooth`, where there are features: beyond 4h and
+/// `smooth_margin` from every one of them. Regions without particles are left out.
 /// @param counts which particles count at all; empty: all of them
+/// @param features of the exact solution; a wide one that the particles resolve is none
+/// @param smooth_margin [m]
 template <int Dim>
 std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Dim>> const& walls,
-                            std::function<bool(std::size_t)> const& counts = {});
+                            std::function<bool(std::size_t)> const& counts = {},
+                            Features<Dim> const& features = {}, double smooth_margin = 0.0);
+
+/// How far `smooth` keeps from features at least: a twentieth of the domain's first extent. Within a distance
+/// that shrinks with h there is always the same part of what a shock's viscosity smears, and of a front's
+/// curvature: the maximum error there falls no faster than at the feature itself. [m]
+template <int Dim>
+double smooth_margin(Domain<Dim> const& domain) {
+  return 0.05 * domain.extent()[0];
+}
 
 /// Norms of |computed - exact| and of |exact| by region. `components` lists of one value per particle each; a
 /// vector's error is the length of the difference.
@@ -35,5 +49,9 @@ std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Di
 FieldErrors field_errors(std::vector<std::span<double const>> const& computed,
                          std::vector<std::span<double const>> const& exact, std::span<double const> weights,
                          std::vector<Region> const& regions, double round_off);
+
+/// Weighted mean of computed - exact over a region, with its sign; empty where it is not finite.
+Number mean_difference(std::span<double const> computed, std::span<double const> exact,
+                       std::span<double const> weights, Region const& region);
 
 }  // namespace sphverify

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cases/support/case.hpp"
+#include "harness/measure/allowed_order.hpp"
 #include "harness/measure/order.hpp"
 #include "reports/mean_time.hpp"
 
@@ -18,16 +19,12 @@ namespace {
 constexpr std::array<double, 3> relative_targets{0.1, 0.01, 0.001};
 constexpr std::array<double, 2> resolution_targets{0.01, 0.001};  // whose N is looked for
 
-/// The kernel estimate is of second order; a jump, smeared over a length of the spacing's order, allows the
-/// order of its width's share in the norm.
 struct NormChoice {
   char const* name;
   double NormSet::*norm;
-  double allowed_at_jumps;
 };
 constexpr std::array<NormChoice, 3> norm_choices{
-    {{"l1", &NormSet::l1, 1.0}, {"l2", &NormSet::l2, 0.5}, {"linf", &NormSet::linf, 0.0}}};
-constexpr double allowed_where_smooth = 2.0;
+    {{"l1", &NormSet::l1}, {"l2", &NormSet::l2}, {"linf", &NormSet::linf}}};
 
 bool is_discontinuous(std::string const& case_id) {
   Case const* const found = find_case(case_id);
@@ -105,7 +102,8 @@ void set_resolution_targets(Levels const& levels, std::vector<LadderLevel> const
 }
 
 OrderEntry measure_order(Levels const& levels, std::string const& field, std::string const& region,
-                         NormChoice const& norm, double allowed) {
+                         NormChoice const& norm) {
+  double const allowed = allowed_of_ladder(levels, field, region).*norm.norm;
   OrderEntry entry{field, region, norm.name, allowed, {}, {}};
   std::vector<LadderLevel> ladder;
   LadderContext context{allowed, std::nullopt};
@@ -146,7 +144,7 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
   entry.observed = observed_order(ladder, context);
   if (allowed == 0.0 && entry.observed.verdict != "diverging" && levels.size() >= 3) {
     entry.observed.verdict = "floored";
-    entry.observed.reason = "the solution jumps: its maximum error cannot go down";
+    entry.observed.reason = "the solution jumps in this region: its maximum error cannot go down";
   }
   set_resolution_targets(levels, ladder, norm, entry);
   return entry;
@@ -231,9 +229,7 @@ std::vector<Series> build_series(std::vector<RunRecord> const& runs) {
     }
     for (auto const& [field, region] : measured) {
       for (NormChoice const& norm : norm_choices) {
-        series.orders.push_back(
-            measure_order(levels, field, region, norm,
-                          series.discontinuous ? norm.allowed_at_jumps : allowed_where_smooth));
+        series.orders.push_back(measure_order(levels, field, region, norm));
         measure_times(levels, series.orders.back(), norm, series);
       }
     }

@@ -13,6 +13,7 @@
 #include "harness/measure/spectrum.hpp"
 #include "harness/measure/stable_step.hpp"
 #include "harness/run/clock.hpp"
+#include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/frozen_conduction.hpp"
 #include "harness/scene/wall_geometry.hpp"
@@ -128,7 +129,8 @@ class ConductionRun : ConductionIntegration<Dim> {
         particles_(conduction_.scene().particles()),
         exact_(sample(problem.scalars.at(Field::temperature), particles_, problem.final_time)),
         volumes_(exact_volumes(problem, particles_, problem.final_time)),
-        regions_(regions(particles_, problem.walls)) {}
+        regions_(
+            regions(particles_, problem.walls, {}, final_features(problem), smooth_margin(problem.domain))) {}
 
   void run() {
     std::optional<OdeResult> const accepted = choose_tolerance();
@@ -240,6 +242,7 @@ class ConductionRun : ConductionIntegration<Dim> {
         record_.errors["flux"] = field_errors(components(particles_.vector(Field::flux)),
                                               components(exact_flux), volumes_, regions_, 0.0);
       }
+      add_error_context(problem_, particles_, volumes_, regions_, record_.errors);
       measure_wall_flux();
     }
     if (options_.measure.contains(Measure::conservation)) measure_energy(result);

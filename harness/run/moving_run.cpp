@@ -11,6 +11,7 @@
 #include "harness/measure/norms.hpp"
 #include "harness/measure/shock.hpp"
 #include "harness/run/clock.hpp"
+#include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/gas_stability.hpp"
 #include "harness/run/moving_gas.hpp"
@@ -195,15 +196,22 @@ class MovingRun {
     return fields;
   }
 
+  std::vector<Region> places_of(FinalState<Dim> const& state) const {
+    Particles<Dim> const& particles = state.gas->scene().particles();
+    auto const counts = [&](std::size_t i) {
+      return !problem_.holds || problem_.holds(particles.positions()[i], problem_.final_time);
+    };
+    return regions(particles, state.gas->scene().walls(), counts, final_features(problem_),
+                   smooth_margin(problem_.domain));
+  }
+
   /// Errors of all fields of a state against values at its particles: the exact ones, or another run's.
   std::map<std::string, FieldErrors> differences(FinalState<Dim> const& state,
                                                  Particles<Dim> const* other) const {
     Particles<Dim> const& particles = state.gas->scene().particles();
     double const t = problem_.final_time;
     auto const volumes = exact_volumes(problem_, particles, t);
-    auto const places = regions(particles, state.gas->scene().walls(), [&](std::size_t i) {
-      return !problem_.holds || problem_.holds(particles.positions()[i], t);
-    });
+    auto const places = places_of(state);
     double const round_off =
         64.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps));
     std::map<std::string, FieldErrors> all;
@@ -308,6 +316,9 @@ class MovingRun {
     }
     if (options_.measure.contains(Measure::error)) {
       record_.errors = differences(state, nullptr);
+      add_error_context(problem_, scene.particles(),
+                        exact_volumes(problem_, scene.particles(), problem_.final_time), places_of(state),
+                        record_.errors);
       measure_wall_flux(scene);
       if (problem_.shocks) measure_shocks(scene, motion);
     }

@@ -106,6 +106,10 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
       auto const exact = sample(problem.heating.at(rate), particles, 0.0);
       record.errors["heating"] =
           field_errors({particles.scalar(Field::heating)}, {exact}, volumes, places, round_off);
+      for (Region const& region : places) {
+        record.errors["heating"].at(region.name).mean =
+            mean_difference(particles.scalar(Field::heating), exact, volumes, region);
+      }
     }
     if (scene.scheme().two_pass) {
       VectorField<Dim> const exact = sample(problem.vectors.at(Field::flux), particles, 0.0);

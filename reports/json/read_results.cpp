@@ -327,6 +327,7 @@ RunRecord read_run(Node const& node) {
       error = {read_norms(e), read_norms(e.at("scale")), measured(e.at("round_off"))};
       if (auto const initial = e.find("initial")) error.initial = read_norms(*initial);
       error.mean = found_number(e, "mean");
+      if (auto const allowed = e.find("allowed")) error.allowed = read_norms(*allowed);
     }
   }
   for (auto const& [quantity, b] : node.at("conservation").members()) {

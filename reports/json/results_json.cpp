@@ -31,6 +31,7 @@ Json errors_json(std::map<std::string, FieldErrors> const& errors) {
       entry["round_off"] = number(e.round_off);
       if (e.initial) entry["initial"] = to_json(*e.initial);
       if (e.mean) entry["mean"] = number(*e.mean);
+      if (e.allowed) entry["allowed"] = to_json(*e.allowed);
       fields[field][region] = entry;
     }
   }

@@ -26,7 +26,7 @@ MOMENTUM_AND_WORK = [
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient",
     "work/total-energy", "work/internal-energy", "work/sqrt-p",
 ]  # fmt: skip
-REGIONS = ["all", "corner", "wall", "interior"]
+REGIONS = ["all", "corner", "wall", "interior", "smooth"]
 
 
 def with_controls(formulations):

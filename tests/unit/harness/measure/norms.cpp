@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <limits>
 
 #include "cases/support/boxes.hpp"
 #include "formulations/support/layout.hpp"
@@ -189,6 +190,52 @@ BOOST_AUTO_TEST_CASE(corner_is_within_2h_of_two_walls_that_are_not_parallel) {
   BOOST_TEST(find(found, "wall")->particles.size() == 2u * 2u * 20u + 2u * 16u);
   // Two walls within reach that are parallel make no corner.
   BOOST_TEST(find(regions(on_lattice(domain, 4, 1.2), slab_walls(domain)), "corner") == nullptr);
+}
+
+BOOST_AUTO_TEST_CASE(smooth_is_beyond_4h_and_a_twentieth_of_the_domain_from_features) {
+  Domain<1> const domain = slab<1>(0.0, 2.0);
+  BOOST_TEST(smooth_margin(domain) == 0.1);
+  Features<1> const features{plane_feature<1>("shock", whole_gas(0.0), 0.5),
+                             plane_feature<1>("start of the shock", {}, 2.0)};
+  struct Expected {
+    int resolution;
+    double kept;  // 4h = 0.192 on the coarse lattice, the margin 0.1 on the fine one
+  };
+  for (Expected const& one : {Expected{50, 0.192}, Expected{1000, 0.1}}) {
+    auto const particles = on_lattice(domain, one.resolution, 1.2);
+    auto const found = regions(particles, slab_walls(domain), {}, features, smooth_margin(domain));
+    Region const* const smooth = find(found, "smooth");
+    BOOST_TEST_REQUIRE(smooth != nullptr);
+    std::vector<std::size_t> expected;
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      double const x = particles.positions()[i][0];
+      if (std::abs(x - 0.5) > one.kept && x < 2.0 - one.kept) expected.push_back(i);
+    }
+    BOOST_TEST(smooth->particles == expected, boost::test_tools::per_element());
+  }
+}
+
+BOOST_AUTO_TEST_CASE(smooth_is_absent_where_a_case_has_no_features_or_they_leave_nothing) {
+  Domain<1> const domain = slab<1>(0.0, 1.0);
+  auto const particles = on_lattice(domain, 10, 1.2);
+  BOOST_TEST(find(regions(particles, slab_walls(domain), {}, {}, 0.05), "smooth") == nullptr);
+  Features<1> const middle{plane_feature<1>("front", {{Field::temperature, 0.5}}, 0.5)};
+  BOOST_TEST(find(regions(particles, slab_walls(domain), {}, middle, 0.05), "smooth") == nullptr);
+  // Particles that do not count are in no region.
+  auto const fine = on_lattice(domain, 200, 1.2);
+  auto const found = regions(fine, slab_walls(domain), [](std::size_t i) { return i < 20; }, middle, 0.05);
+  BOOST_TEST(find(found, "smooth")->particles.size() == 20u);
+}
+
+BOOST_AUTO_TEST_CASE(the_mean_of_errors_has_their_sign_and_the_weights) {
+  List const computed{1.0, 2.0, 9.0};
+  List const exact{2.0, 2.5, 0.0};
+  List const weights{1.0, 2.0, 5.0};
+  BOOST_TEST(*mean_difference(computed, exact, weights, {"wall", {0, 1}}) == (-1.0 - 2.0 * 0.5) / 3.0,
+             tolerance(1e-14));
+  List const broken{1.0, std::numeric_limits<double>::quiet_NaN(), 9.0};
+  BOOST_TEST(!mean_difference(broken, exact, weights, {"wall", {0, 1}}).has_value());
+  BOOST_TEST(*mean_difference(broken, exact, weights, {"interior", {2}}) == 9.0);
 }
 
 BOOST_AUTO_TEST_CASE(regions_without_particles_are_absent) {

@@ -120,6 +120,14 @@ BOOST_AUTO_TEST_CASE(signed_means_targets_and_time_errors_reach_the_order) {
   BOOST_TEST(*entry.observed.targets[1].resolution == 1000.0, tolerance(1e-3));
 }
 
+BOOST_AUTO_TEST_CASE(a_level_has_the_mean_of_its_replicates_signed_means_if_all_have_one) {
+  std::vector<RunRecord> runs{seeded(run_at(25, 0.1), 1), seeded(run_at(25, 0.1), 2)};
+  runs[0].errors["temperature"]["all"].mean = -0.3;
+  BOOST_TEST(!find(build_series(runs)[0], "l2")->levels[0].mean.has_value());
+  runs[1].errors["temperature"]["all"].mean = 0.1;
+  BOOST_TEST(*find(build_series(runs)[0], "l2")->levels[0].mean == -0.1, tolerance(1e-13));
+}
+
 BOOST_AUTO_TEST_CASE(a_level_of_which_a_replicate_failed_has_no_error) {
   std::vector<RunRecord> runs;
   for (int const n : {25, 50, 100}) {
@@ -262,9 +270,27 @@ std::vector<RunRecord> ladder_of(std::string const& case_id, double order,
   return runs;
 }
 
-BOOST_AUTO_TEST_CASE(a_jump_allows_the_order_of_its_width_s_share_in_each_norm) {
-  Series const jumps = build_series(ladder_of("hydro/piston-velocity", 1.0, {25, 50, 100}))[0];
+/// The same with a jump in the region.
+std::vector<RunRecord> ladder_with_jump(std::string const& case_id, double order,
+                                        std::vector<int> const& resolutions) {
+  auto runs = ladder_of(case_id, order, resolutions);
+  for (RunRecord& run : runs) run.errors["temperature"]["all"].allowed = NormSet{1.0, 0.5, 0.0};
+  return runs;
+}
+
+BOOST_AUTO_TEST_CASE(orders_are_judged_by_what_features_in_the_region_allow_not_by_the_case) {
+  Series const jumps = build_series(ladder_with_jump("hydro/piston-velocity", 1.0, {25, 50, 100}))[0];
   BOOST_TEST(jumps.discontinuous);
+  auto elsewhere = ladder_with_jump("hydro/piston-velocity", 1.0, {25, 50, 100});
+  for (RunRecord& run : elsewhere) {
+    run.errors["temperature"]["wall"] = run.errors["temperature"]["all"];
+    run.errors["temperature"]["wall"].allowed.reset();
+  }
+  for (OrderEntry const& entry : build_series(elsewhere)[0].orders) {
+    if (entry.region != "wall") continue;
+    BOOST_TEST(entry.allowed == 2.0);
+    BOOST_TEST(entry.observed.reason.find("jumps") == std::string::npos);
+  }
   BOOST_TEST(find(jumps, "l1")->allowed == 1.0);
   BOOST_TEST(find(jumps, "l2")->allowed == 0.5);
   BOOST_TEST(find(jumps, "linf")->allowed == 0.0);
@@ -277,7 +303,7 @@ BOOST_AUTO_TEST_CASE(a_jump_allows_the_order_of_its_width_s_share_in_each_norm) 
 
 BOOST_AUTO_TEST_CASE(the_largest_error_at_a_jump_is_floored_unless_it_diverges) {
   for (double const order : {1.0, 0.3, 0.0}) {
-    Series const jumps = build_series(ladder_of("hydro/noh", order, {25, 50, 100, 200}))[0];
+    Series const jumps = build_series(ladder_with_jump("hydro/noh", order, {25, 50, 100, 200}))[0];
     BOOST_TEST(find(jumps, "linf")->observed.verdict == "floored");
     BOOST_TEST(find(jumps, "linf")->observed.reason.find("the solution jumps") != std::string::npos);
     for (Number const& p : find(jumps, "linf")->observed.pairwise) BOOST_TEST(std::abs(*p - order) < 1e-9);
@@ -285,15 +311,15 @@ BOOST_AUTO_TEST_CASE(the_largest_error_at_a_jump_is_floored_unless_it_diverges) 
     BOOST_TEST(find(smooth, "linf")->observed.verdict == find(smooth, "l1")->observed.verdict);
     BOOST_TEST(find(jumps, "l1")->observed.verdict == find(smooth, "l1")->observed.verdict);
   }
-  Series const grows = build_series(ladder_of("hydro/noh", -1.0, {25, 50, 100}))[0];
+  Series const grows = build_series(ladder_with_jump("hydro/noh", -1.0, {25, 50, 100}))[0];
   BOOST_TEST(find(grows, "linf")->observed.verdict == "diverging");
-  auto broken = ladder_of("hydro/noh", 1.0, {25, 50, 100});
+  auto broken = ladder_with_jump("hydro/noh", 1.0, {25, 50, 100});
   broken.back().status = "unstable";
   BOOST_TEST(find(build_series(broken)[0], "linf")->observed.verdict == "diverging");
 }
 
 BOOST_AUTO_TEST_CASE(a_first_order_error_in_l1_is_asymptotic_at_a_jump) {
-  Series const jumps = build_series(ladder_of("hydro/piston-velocity", 1.0, {25, 50, 100, 200}))[0];
+  Series const jumps = build_series(ladder_with_jump("hydro/piston-velocity", 1.0, {25, 50, 100, 200}))[0];
   BOOST_TEST(find(jumps, "l1")->observed.verdict == "asymptotic");
   BOOST_TEST(*find(jumps, "l1")->observed.order == 1.0, tolerance(1e-4));
 }

@@ -159,6 +159,7 @@ struct SecondLaw {
   Number smallest_entropy_production;  ///< relative to sum m |q|/T at the time; empty if a wall's temperature
                                        ///< is not known
   std::string remark;                  ///< why a number is missing
+  std::uint64_t instants = 0;          ///< at which the run was looked at: all of the above is of these
 };
 
 /// How time was integrated and what of the error is its fault.
@@ -169,6 +170,7 @@ struct Integration {
   Number time_error;        ///< l2 norm of the change of the leading field when the tolerance is tightened a
                             ///< hundredfold, or the step halved
   Number time_error_share;  ///< the largest ratio of that change to the space error, over regions and norms
+  std::string remark{};     ///< why these two are missing, or what limits what they say
 };
 
 /// What crossed a wall in the scheme, what its prescribed values (a closure's in their place) say, over the
@@ -201,9 +203,12 @@ struct Motion {
                          ///< relative to its l2 norm; if asked for
 };
 
-/// Fields along the particles at the final time.
+/// Fields along the particles at the final time (of rates, at the one time that there is), with all that the
+/// errors are taken from.
 struct Profile {
   std::vector<std::vector<double>> position;
+  std::vector<double> weight;                                 ///< V_i of the norms [m^Dim], not normalised
+  std::map<std::string, std::vector<std::uint64_t>> regions;  ///< whose errors are taken: particles, by index
   std::map<std::string, std::vector<std::vector<double>>> computed, exact;  ///< one list per particle
 };
 
@@ -232,6 +237,7 @@ struct RunRecord {
   double spacing = 0.0, smoothing_length = 0.0;
   std::string status = "ok";
   std::string reason;
+  std::vector<std::string> remarks;  ///< what a reader of the numbers should know of how the run was set up
   SceneRecord scene;
   std::map<std::string, FieldErrors> errors;
   std::map<std::string, Budget> conservation;  ///< mass and energy: those that exist

@@ -6,13 +6,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include "reports/printable.hpp"
+
 namespace sphverify {
+
+UserError::UserError(std::string_view message) : std::runtime_error(printable(message)) {}
 
 UserError::UserError(std::string_view file, std::string_view key, std::string_view found,
                      std::string_view expected)
-    : std::runtime_error(key.empty()
-                             ? fmt::format("{}: found {}, expected {}", file, found, expected)
-                             : fmt::format("{}: {}: found {}, expected {}", file, key, found, expected)) {}
+    : UserError(key.empty() ? fmt::format("{}: found {}, expected {}", file, found, expected)
+                            : fmt::format("{}: {}: found {}, expected {}", file, key, found, expected)) {}
 
 namespace {
 

@@ -7,10 +7,11 @@
 
 namespace sphverify {
 
-/// The user's input is wrong: one line that says where, what was found and what was expected. Exit status 2.
+/// The user's input is wrong: one line that says where, what was found and what was expected, made printable
+/// whatever the input holds. Exit status 2.
 class UserError : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit UserError(std::string_view message);
   /// "FILE: KEY: found FOUND, expected EXPECTED"
   UserError(std::string_view file, std::string_view key, std::string_view found, std::string_view expected);
 };

@@ -6,6 +6,7 @@
 
 #include "harness/cli/commands.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/printable.hpp"
 
 namespace sphverify {
 
@@ -25,7 +26,11 @@ void add_evaluate(CLI::App& app) {
     Json const rates = evaluate_state(Node(state, command->state));
     if (Json const& open = rates.at("open_towards"); !open.is_null()) {
       fmt::print(stderr, "{}: walls: they do not close: nothing bounds the particles towards {}\n",
-                 command->state, open.dump());
+                 printable(command->state), open.dump());
+    }
+    for (Json const& remark : rates.at("remarks")) {
+      fmt::print(stderr, "{}: particles.smoothing_length: {}\n", printable(command->state),
+                 remark.get<std::string>());
     }
     write_document(command->output, document_text(rates));
   });

@@ -9,12 +9,14 @@
 #include "harness/gate/gates.hpp"
 #include "harness/run/run.hpp"
 #include "harness/study/context.hpp"
+#include "reports/printable.hpp"
 #include "reports/user_error.hpp"
 
 namespace {
 
 int complain(int status, std::string const& message) {
-  fmt::print(stderr, "sphverify: {}\n", message);
+  // Words of the command line and names of files may hold anything.
+  fmt::print(stderr, "sphverify: {}\n", sphverify::printable(message));
   return status;
 }
 

@@ -32,6 +32,7 @@ void study(StudyCommand const& command) {
   Study const read = read_study(Node(json, command.document));
   stop_on_signals();
   StudyOptions options = command.options;
+  options.document = command.document;
   options.interrupted = &interrupted;
   run_study(read, options);
 }

@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "formulations/rate_operator.hpp"
 #include "formulations/support/cubic_spline.hpp"
+#include "formulations/support/finite.hpp"
 #include "formulations/support/finite_face.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/evaluate/state.hpp"
@@ -25,6 +28,40 @@ Json list(VectorField<Dim> const& field) {
 }
 
 template <int Dim>
+std::vector<std::span<double const>> components_of(VectorField<Dim> const& field) {
+  std::vector<std::span<double const>> all;
+  for (int k = 0; k < Dim; ++k) all.emplace_back(field.component(k));
+  return all;
+}
+
+/// What makes little sense of a smoothing length among these particles.
+template <int Dim>
+Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours) {
+  Json remarks = Json::array();
+  std::size_t const n = particles.size();
+  if (n < 2) return remarks;
+  double const support = CubicSpline<Dim>::support_ratio * particles.smoothing_length();
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < n; ++i) alone += neighbours.row(i).empty() ? 1 : 0;
+  if (alone > 0) {
+    remarks.push_back(fmt::format("{} of {} particles have no other within their support, 2h = {:.3g} m",
+                                  alone, n, support));
+  }
+  double extent = 0.0;
+  for (int k = 0; k < Dim; ++k) {
+    auto const [low, high] = std::minmax_element(particles.positions().component(k).begin(),
+                                                 particles.positions().component(k).end());
+    extent = std::max(extent, *high - *low);
+  }
+  if (support > extent) {
+    remarks.push_back(fmt::format(
+        "the support, 2h = {:.3g} m, is wider than all particles together, {:.3g} m: each feels every other",
+        support, extent));
+  }
+  return remarks;
+}
+
+template <int Dim>
 Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<Dim>& geometry,
               Closure closure) {
   auto const rate = make_rate_operator<Dim>(scheme.id);
@@ -36,6 +73,12 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
   } catch (UndefinedRate const& error) {
     return {{output, nullptr}, {"reason", error.what()}};
   }
+  std::string why = info(output_field(scheme.rate)).is_vector
+                        ? why_not_finite(output, components_of(particles.vector(output_field(scheme.rate))))
+                        : why_not_finite(output, {particles.scalar(Field::heating)});
+  if (why.empty() && scheme.two_pass)
+    why = why_not_finite("flux", components_of(particles.vector(Field::flux)));
+  if (!why.empty()) return {{output, nullptr}, {"reason", why}};
   Json json;
   if (scheme.rate == Rate::acceleration) {
     json[output] = list(particles.vector(Field::acceleration));
@@ -65,10 +108,12 @@ Json evaluate_in_dimension(Node const& document) {
   double const support = CubicSpline<Dim>::support_ratio * h;
   PairGeometry<Dim> geometry;
   Json walls = Json::array();
+  Json remarks;
   try {
     CellGrid<Dim> const grid(particles.positions(), state.domain, support);
     geometry.domain = state.domain;
     geometry.neighbours = find_neighbours(grid);
+    remarks = remarks_on(particles, geometry.neighbours);
     auto& density = particles.scalar(Field::density);
     if (state.density_rule != DensityRule::given) density = summation_density(grid, h, particles.masses());
     if (state.density_rule == DensityRule::normalised) {
@@ -114,6 +159,7 @@ Json evaluate_in_dimension(Node const& document) {
           {"density", particles.scalar(Field::density)},
           {"walls", walls},
           {"open_towards", open ? Json(std::vector<double>(open->begin(), open->end())) : Json()},
+          {"remarks", remarks},
           {"rates", rates},
           {"left_out", left_out}};
 }
@@ -121,7 +167,7 @@ Json evaluate_in_dimension(Node const& document) {
 }  // namespace
 
 Json evaluate_state(Node const& state) {
-  state.require_schema("sphverify-state/1");
+  require_state_keys(state);
   switch (state.at("dimension").integer(1, 3)) {
     case 1:
       return evaluate_in_dimension<1>(state);

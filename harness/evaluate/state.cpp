@@ -22,7 +22,7 @@ Vector<Dim> read_vector(Node const& node) {
 void require_length(Node const& node, std::size_t count) {
   if (!node.is_array() || node.json().size() != count) {
     std::string const found =
-        node.is_array() ? fmt::format("a list of {}", node.json().size()) : node.json().dump();
+        node.is_array() ? fmt::format("a list of {}", node.json().size()) : node.describe();
     throw UserError(node.file(), node.key(), found, fmt::format("a list of {}, one per position", count));
   }
 }
@@ -120,10 +120,13 @@ void require_room(Node const& particles, State<Dim> const& state) {
 
 }  // namespace
 
+void require_state_keys(Node const& document) {
+  document.require_document("sphverify-state/1", {"schema", "dimension", "kernel", "face_weight", "closure",
+                                                  "periodic", "particles", "walls"});
+}
+
 template <int Dim>
 State<Dim> read_state(Node const& document) {
-  document.require_keys(
-      {"schema", "dimension", "kernel", "face_weight", "closure", "periodic", "particles", "walls"});
   if (auto const kernel = document.find("kernel")) kernel->word({"cubic-spline"});
 
   Node const node = document.at("particles");

@@ -18,6 +18,9 @@ struct State {
   Closure closure;
 };
 
+/// Complains of a document that is no state, and of its keys.
+void require_state_keys(Node const& document);
+
 /// Throws UserError.
 template <int Dim>
 State<Dim> read_state(Node const& document);

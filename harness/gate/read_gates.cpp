@@ -336,8 +336,7 @@ std::vector<std::string> const& gate_measure_words() {
 }
 
 Gates read_gates(Node const& document) {
-  document.require_schema("sphverify-gates/1");
-  document.require_keys({"schema", "name", "note", "baseline", "gates"});
+  document.require_document("sphverify-gates/1", {"schema", "name", "note", "baseline", "gates"});
   Gates all;
   all.file = document.file();
   all.name = std::filesystem::path(document.file()).stem().string();

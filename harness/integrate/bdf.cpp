@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "harness/integrate/ode.hpp"
+#include "harness/integrate/samples.hpp"
 #include "harness/integrate/sundials_handles.hpp"
 
 namespace sphverify {
@@ -20,7 +21,7 @@ int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
   int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
     system.rate(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
   });
-  return CallbackData::require_finite(status, N_VGetArrayPointer(dydt), N_VGetLength(dydt));
+  return CallbackData::require_finite(user, status, dydt);
 }
 
 int quadrature(realtype t, N_Vector y, N_Vector dqdt, void* user) {
@@ -97,19 +98,28 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
   if (system.quadratures > 0)
     require_sundials(CVodeQuadInit(cvode, quadrature, integrals.get()), "CVodeQuadInit");
 
+  Samples samples(system);
+  samples.pass(0.0, y.data(), result.quadratures.data());
+  auto const state_at = [&](double t, double* values) {
+    VectorHandle const then = wrap(system.size, values, context);
+    require_sundials(CVodeGetDky(cvode, t, 0, then.get()), "CVodeGetDky");
+    if (system.quadratures == 0) return;
+    VectorHandle const integrals_then = wrap(system.quadratures, values + system.size, context);
+    require_sundials(CVodeGetQuadDky(cvode, t, 0, integrals_then.get()), "CVodeGetQuadDky");
+  };
   while (result.time < final_time) {
     double const before = result.time;
+    data.begin_step();
     int const flag = CVode(cvode, final_time, state.get(), &result.time, CV_ONE_STEP);
     data.rethrow();
     if (flag < 0) {
       std::unique_ptr<char, decltype(&std::free)> const name(CVodeGetReturnFlagName(flag), &std::free);
-      result.outcome = OdeOutcome::failed;
-      result.reason = std::string("the implicit integrator gave up (") + name.get() + ")";
+      give_up(data.not_finite, std::string("the implicit integrator gave up (") + name.get() + ")", result);
       break;
     }
     if (result.time == before) {
-      result.outcome = OdeOutcome::failed;
-      result.reason = "the implicit integrator's step shrank to nothing";
+      // Up to where a rate is no number.
+      give_up(data.not_finite_in_step, "the implicit integrator's step shrank to nothing", result);
       break;
     }
     ++result.steps;
@@ -117,6 +127,7 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
       realtype at = result.time;
       require_sundials(CVodeGetQuad(cvode, &at, integrals.get()), "CVodeGetQuad");
     }
+    samples.pass(result.time, y.data(), result.quadratures.data(), state_at);
     result.reason = system.monitor ? system.monitor(result.time, y.data(), result.quadratures.data()) : "";
     if (!result.reason.empty()) {
       result.outcome = OdeOutcome::stopped;

@@ -4,7 +4,9 @@
 #include <limits>
 #include <random>
 
+#include "formulations/support/finite.hpp"
 #include "harness/integrate/ode.hpp"
+#include "harness/integrate/samples.hpp"
 
 namespace sphverify {
 
@@ -111,8 +113,11 @@ OdeResult integrate_chebyshev(OdeSystem const& system, std::vector<double> y, do
     system.rate(t, at.data(), out.data());
     if (system.quadratures > 0) system.quadrature(t, at.data(), out.data() + n);
   };
-  auto const fail = [&](char const* why) {
-    result.outcome = OdeOutcome::failed;
+  // Because a rate is no number, if one is.
+  auto const fail = [&](char const* why, std::vector<double> const& of_rate) {
+    auto const component = first_not_finite(of_rate);
+    result.outcome = component ? OdeOutcome::not_finite : OdeOutcome::failed;
+    result.not_finite = component.value_or(0);
     result.reason = why;
   };
   std::vector<double> first(all), last(all), before(all), now(all), next(all), stage_rate(all);
@@ -121,6 +126,8 @@ OdeResult integrate_chebyshev(OdeSystem const& system, std::vector<double> y, do
   double radius = 0.0;
   double dt = 0.0;
   int rejections = 0;
+  Samples samples(system);
+  samples.pass(0.0, y.data(), y.data() + n);
   std::exception_ptr failure;
   while (result.time < final_time) {
     if (result.steps % steps_per_estimate == 0 && rejections == 0) {
@@ -131,13 +138,14 @@ OdeResult integrate_chebyshev(OdeSystem const& system, std::vector<double> y, do
                                    first, 1e-7 * tolerances.absolute / tolerances.relative);
     }
     if (!std::isfinite(radius)) {
-      fail("the stabilised integrator met a rate that is not finite");
+      fail("the stabilised integrator met a rate that is not finite", first);
       break;
     }
-    double const remaining = final_time - result.time;
+    double const stop = std::min(samples.next(), final_time);
+    double const remaining = stop - result.time;
     if (dt == 0.0) dt = radius > 0.0 ? 1.0 / radius : remaining;
     double const h = std::min(dt, remaining);
-    double const time = h >= remaining ? final_time : result.time + h;
+    double const time = h >= remaining ? stop : result.time + h;
     Stages const stage(stages_for(h, radius));
     double error = std::numeric_limits<double>::infinity();
     try {
@@ -169,7 +177,7 @@ OdeResult integrate_chebyshev(OdeSystem const& system, std::vector<double> y, do
     if (!std::isfinite(error) || error > 1.0) {
       if (++rejections > most_rejections || h < shortest * final_time) {
         if (failure) std::rethrow_exception(failure);
-        fail("the stabilised integrator's step shrank to nothing");
+        fail("the stabilised integrator's step shrank to nothing", last);
         break;
       }
       dt = h * (std::isfinite(error) ? std::max(0.1, 0.8 / std::cbrt(error)) : 0.1);
@@ -181,7 +189,10 @@ OdeResult integrate_chebyshev(OdeSystem const& system, std::vector<double> y, do
     first.swap(last);
     result.time = time;
     ++result.steps;
-    dt = h * std::clamp(0.8 / std::cbrt(std::max(error, 1e-9)), 0.2, 5.0);
+    // A step that was cut for a sample says nothing against a longer one.
+    double const following = h * std::clamp(0.8 / std::cbrt(std::max(error, 1e-9)), 0.2, 5.0);
+    dt = h < dt ? std::max(dt, following) : following;
+    samples.pass(result.time, y.data(), y.data() + n);
     result.reason = system.monitor ? system.monitor(result.time, y.data(), y.data() + n) : "";
     if (!result.reason.empty()) {
       result.outcome = OdeOutcome::stopped;

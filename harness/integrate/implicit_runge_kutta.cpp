@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "harness/integrate/ode.hpp"
+#include "harness/integrate/samples.hpp"
 #include "harness/integrate/sundials_handles.hpp"
 
 namespace sphverify {
@@ -30,7 +31,7 @@ int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
     system.rate(t, N_VGetArrayPointer(y), out);
     std::fill_n(out + system.size, system.quadratures, 0.0);
   });
-  return CallbackData::require_finite(status, N_VGetArrayPointer(dydt), N_VGetLength(dydt));
+  return CallbackData::require_finite(user, status, dydt);
 }
 
 int quadrature(realtype t, N_Vector y, N_Vector dydt, void* user) {
@@ -72,7 +73,6 @@ OdeResult integrate_implicit_runge_kutta(OdeSystem const& system, std::vector<do
                                       system.quadratures > 0 ? ARKODE_ARK324L2SA_ERK_4_2_3 : ARKODE_ERK_NONE),
                    "ARKStepSetTableNum");
   require_sundials(ARKStepSetFixedStep(ark, final_time / static_cast<double>(steps)), "ARKStepSetFixedStep");
-  require_sundials(ARKStepSetStopTime(ark, final_time), "ARKStepSetStopTime");
   require_sundials(ARKStepSetMaxNumSteps(ark, -1), "ARKStepSetMaxNumSteps");
   require_sundials(ARKStepSetMaxNonlinIters(ark, most_iterations), "ARKStepSetMaxNonlinIters");
   require_sundials(ARKStepSStolerances(ark, newton.relative, newton.absolute), "ARKStepSStolerances");
@@ -95,17 +95,22 @@ OdeResult integrate_implicit_runge_kutta(OdeSystem const& system, std::vector<do
   require_sundials(ARKStepSetLinearSolver(ark, linear.get(), matrix.get()), "ARKStepSetLinearSolver");
   if (system.jacobian) require_sundials(ARKStepSetJacFn(ark, jacobian), "ARKStepSetJacFn");
 
+  Samples samples(system);
+  samples.pass(0.0, y.data(), y.data() + system.size);
   while (result.time < final_time) {
     double const before = result.time;
+    double const stop = std::min(samples.next(), final_time);
+    require_sundials(ARKStepSetStopTime(ark, stop), "ARKStepSetStopTime");
     int const flag = ARKStepEvolve(ark, final_time, state.get(), &result.time, ARK_ONE_STEP);
     data.rethrow();
     if (flag < 0 || result.time == before) {
       std::unique_ptr<char, decltype(&std::free)> const name(ARKStepGetReturnFlagName(flag), &std::free);
-      result.outcome = OdeOutcome::failed;
-      result.reason = std::string("the implicit integrator gave up (") + name.get() + ")";
+      give_up(data.not_finite, std::string("the implicit integrator gave up (") + name.get() + ")", result);
       break;
     }
     ++result.steps;
+    if (flag == ARK_TSTOP_RETURN) result.time = stop;
+    samples.pass(result.time, y.data(), y.data() + system.size);
     result.reason = system.monitor ? system.monitor(result.time, y.data(), y.data() + system.size) : "";
     if (!result.reason.empty()) {
       result.outcome = OdeOutcome::stopped;

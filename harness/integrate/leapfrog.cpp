@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "formulations/support/finite.hpp"
 #include "harness/integrate/ode.hpp"
 
 namespace sphverify {
@@ -41,6 +42,11 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
   std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(coordinates), coordinates, middle.begin());
   evaluate(0.0, y, second, second_flow);
   while (result.time < final_time) {
+    if (auto const component = first_not_finite(second)) {
+      end(OdeOutcome::not_finite, "the leapfrog met a rate that is not finite");
+      result.not_finite = *component;
+      break;
+    }
     double const limit = stepping.largest_step(result.time);
     if (!(limit > stepping.smallest_step)) {
       end(OdeOutcome::failed, fmt::format("the step collapsed to {:.3g}", limit));

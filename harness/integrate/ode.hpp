@@ -33,6 +33,12 @@ struct OdeSystem {
 
   /// Called after every step with the quadratures so far; a non-empty answer ends the run, with that reason.
   std::function<std::string(double t, double const* y, double const* q)> monitor;
+
+  /// Times from 0 to the final one, ascending, at which `sample` is called with what the state was then,
+  /// wherever the steps end: by dense output (bdf, runge-kutta), or by steps that are made to end there
+  /// (runge-kutta-chebyshev, implicit-runge-kutta). Not of leapfrog. Empty: none.
+  std::vector<double> sample_times{};
+  std::function<void(double t, double const* y, double const* q)> sample{};
 };
 
 struct Tolerances {
@@ -44,13 +50,16 @@ enum class OdeOutcome {
   finished,
   stopped,      ///< by the monitor
   failed,       ///< the integrator gave up
+  not_finite,   ///< an unknown or its rate is no number; no step however short goes on from there
   out_of_steps  ///< of Stepping::most_steps
 };
 
 struct OdeResult {
   OdeOutcome outcome = OdeOutcome::finished;
-  std::string reason;  ///< of a stop (from the monitor) or a failure (from the integrator)
-  double time = 0.0;   ///< that was reached
+  std::string reason;              ///< of a stop (from the monitor) or a failure (from the integrator)
+  std::size_t not_finite = 0;      ///< index of that unknown
+  bool rate_is_not_finite = true;  ///< else the unknown itself is not
+  double time = 0.0;               ///< that was reached
   std::vector<double> y;
   std::vector<double> quadratures;
   std::uint64_t steps = 0;

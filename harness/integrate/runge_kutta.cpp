@@ -1,6 +1,7 @@
 #include <arkode/arkode_erkstep.h>
 
 #include "harness/integrate/ode.hpp"
+#include "harness/integrate/samples.hpp"
 #include "harness/integrate/sundials_handles.hpp"
 
 namespace sphverify {
@@ -23,7 +24,7 @@ int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
     system.rate(t, values, out);
     if (system.quadratures > 0) system.quadrature(t, values, out + system.size);
   });
-  return CallbackData::require_finite(status, N_VGetArrayPointer(dydt), N_VGetLength(dydt));
+  return CallbackData::require_finite(user, status, dydt);
 }
 
 }  // namespace
@@ -51,22 +52,29 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
                        erk, [](int, char const*, char const*, char*, void*) {}, nullptr),
                    "ERKStepSetErrHandlerFn");
 
+  Samples samples(system);
+  samples.pass(0.0, y.data(), y.data() + system.size);
+  auto const state_at = [&](double t, double* values) {
+    VectorHandle const then = wrap(y.size(), values, context);
+    require_sundials(ERKStepGetDky(erk, t, 0, then.get()), "ERKStepGetDky");
+    data.rethrow();
+  };
   double judged = 0.0;  // the time up to which steps have been judged
   while (result.time < final_time) {
     double const before = result.time;
+    data.begin_step();
     int const flag = ERKStepEvolve(erk, final_time, state.get(), &result.time, ARK_ONE_STEP);
     data.rethrow();
     if (flag < 0) {
       data.rethrow_failure();
       std::unique_ptr<char, decltype(&std::free)> const name(ERKStepGetReturnFlagName(flag), &std::free);
       result.time = before;  // it was a stage's
-      result.outcome = OdeOutcome::failed;
-      result.reason = std::string("the explicit integrator gave up (") + name.get() + ")";
+      give_up(data.not_finite, std::string("the explicit integrator gave up (") + name.get() + ")", result);
       break;
     }
     if (result.time == before) {
-      result.outcome = OdeOutcome::failed;
-      result.reason = "the explicit integrator's step shrank to nothing";
+      // Up to where a rate is no number.
+      give_up(data.not_finite_in_step, "the explicit integrator's step shrank to nothing", result);
       break;
     }
     ++result.steps;
@@ -78,6 +86,7 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
       }
       judged = result.time;
     }
+    samples.pass(result.time, y.data(), y.data() + system.size, state_at);
     result.reason = system.monitor ? system.monitor(result.time, y.data(), y.data() + system.size) : "";
     if (!result.reason.empty()) {
       result.outcome = OdeOutcome::stopped;

@@ -5,14 +5,14 @@
 #include <sundials/sundials_linearsolver.h>
 #include <sundials/sundials_matrix.h>
 
-#include <algorithm>
-#include <cmath>
 #include <exception>
 #include <memory>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
+#include "formulations/support/finite.hpp"
 #include "harness/integrate/ode.hpp"
 
 namespace sphverify {
@@ -60,7 +60,11 @@ inline VectorHandle wrap(std::size_t size, double* data, SUNContext context) {
 struct CallbackData {
   OdeSystem const& system;
   std::exception_ptr error = nullptr;
-  std::exception_ptr failure = nullptr;  ///< the last of a rate, for when the integrator gives up
+  std::exception_ptr failure = nullptr;     ///< the last of a rate, for when the integrator gives up
+  std::optional<std::size_t> not_finite{};  ///< of the last rate: the first unknown that it is no number for
+  std::optional<std::size_t> not_finite_in_step{};  ///< the same of any rate since `begin_step`
+
+  void begin_step() { not_finite_in_step.reset(); }
 
   template <class Body>
   static int guarded(void* user, Body const& body) {
@@ -76,9 +80,14 @@ struct CallbackData {
       return -1;
     }
   }
-  static int require_finite(int status, double const* values, std::size_t count) {
+  static int require_finite(void* user, int status, N_Vector rate) {
+    auto& data = *static_cast<CallbackData*>(user);
+    data.not_finite.reset();
     if (status != 0) return status;
-    return std::all_of(values, values + count, [](double value) { return std::isfinite(value); }) ? 0 : 1;
+    data.not_finite =
+        first_not_finite({N_VGetArrayPointer(rate), static_cast<std::size_t>(N_VGetLength(rate))});
+    if (data.not_finite) data.not_finite_in_step = data.not_finite;
+    return data.not_finite ? 1 : 0;
   }
   void rethrow() const {
     if (error) std::rethrow_exception(error);
@@ -87,6 +96,13 @@ struct CallbackData {
     if (failure) std::rethrow_exception(failure);
   }
 };
+
+/// The integrator ended the run: because a rate is no number, or for its own reason.
+inline void give_up(std::optional<std::size_t> not_finite, std::string reason, OdeResult& result) {
+  result.outcome = not_finite ? OdeOutcome::not_finite : OdeOutcome::failed;
+  result.not_finite = not_finite.value_or(0);
+  result.reason = std::move(reason);
+}
 
 /// Throws std::runtime_error if a set-up call failed: that is our mistake or lack of memory, never a result.
 inline void require_sundials(int flag, char const* call) {

@@ -7,14 +7,19 @@
 
 #include "formulations/support/cubic_spline.hpp"
 #include "formulations/support/expects.hpp"
+#include "formulations/support/finite.hpp"
 #include "formulations/support/smoothing_length.hpp"
+#include "reports/extremes.hpp"
 
 namespace sphverify {
 
 NormSet norms(std::span<double const> values, std::span<double const> weights) {
   expects(values.size() == weights.size());
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   double total = 0.0;
   for (double const w : weights) total += w;
+  // What one of them is not known of is not known of all: a maximum would pass over it.
+  if (first_not_finite(values) || !std::isfinite(total)) return {unknown, unknown, unknown};
   expects(total > 0.0);
   NormSet norm;
   for (double const value : values) norm.linf = std::max(norm.linf, std::abs(value));
@@ -62,7 +67,7 @@ std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Di
   for (std::size_t i = 0; i < particles.size(); ++i) {
     if (counts && !counts(i)) continue;
     double nearest = std::numeric_limits<double>::infinity();
-    for (Wall<Dim> const& one : walls) nearest = std::min(nearest, one.distance(particles.positions()[i]));
+    for (Wall<Dim> const& one : walls) nearest = smaller(nearest, one.distance(particles.positions()[i]));
     double const support = CubicSpline<Dim>::support_ratio * h(i);
     all.particles.push_back(i);
     if (nearest < support) wall.particles.push_back(i);

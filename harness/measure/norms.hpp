@@ -14,7 +14,8 @@
 namespace sphverify {
 
 /// Weighted l1, l2 and maximum norm of numbers; the weights are normalised to sum 1, so that l1 <= l2 <=
-/// linf. Expects as many weights as values and a positive sum.
+/// linf. All NaN where a value or a weight is not finite. Expects as many weights as values and a positive
+/// sum.
 NormSet norms(std::span<double const> values, std::span<double const> weights);
 
 /// Which particles an error is taken over. Two-pass forms feel a wall to twice the support, 4h.

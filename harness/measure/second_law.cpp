@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "formulations/support/finite.hpp"
+#include "reports/extremes.hpp"
 #include "reports/second_law_watched.hpp"
 
 namespace sphverify {
@@ -20,8 +22,8 @@ struct Range {
 
   void include(double value) { include(Range{value, value}); }
   void include(Range const& other) {
-    lowest = std::min(lowest, other.lowest);
-    highest = std::max(highest, other.highest);
+    lowest = smaller(lowest, other.lowest);
+    highest = larger(highest, other.highest);
   }
 };
 
@@ -41,26 +43,71 @@ void keep_worse(Breach& worst, double size, double time, auto const& position) {
 }  // namespace
 
 template <int Dim>
-SecondLawWatch<Dim>::SecondLawWatch(Scene<Dim>& scene, double temperature_scale)
+SecondLawWatch<Dim>::SecondLawWatch(Scene<Dim>& scene, double temperature_scale, double temperature_error)
     : scene_(scene),
       round_off_(1e-12 * temperature_scale),
+      temperature_error_(temperature_error),
       lowest_(infinity),
       highest_(-infinity),
       rate_(scene.particles().size()) {
   auto const& exact = scene_.problem().scalars.at(Field::temperature);
   for (std::size_t i = 0; i < rate_.size(); ++i) {
     double const T = exact(scene_.particles().positions()[i], 0.0);
-    lowest_ = std::min(lowest_, T);
-    highest_ = std::max(highest_, T);
+    lowest_ = smaller(lowest_, T);
+    highest_ = larger(highest_, T);
   }
+}
+
+/// What temperatures that are off by as much as they may be, every other one to the other side, change the
+/// heating by at most.
+template <int Dim>
+double SecondLawWatch<Dim>::measure_noise(double time, double const* temperature) {
+  std::size_t const n = rate_.size();
+  std::vector<double> moved(temperature, temperature + n), moved_rate(n);
+  for (std::size_t i = 0; i < n; ++i) moved[i] += (i % 2 == 0 ? 1.0 : -1.0) * temperature_error_;
+  scene_.set_temperature(moved.data());
+  scene_.evaluate(time);
+  scene_.heating(time, moved_rate.data());
+  double largest = 0.0;
+  for (std::size_t i = 0; i < n; ++i) largest = larger(largest, std::abs(moved_rate[i] - rate_[i]));
+  return largest;
+}
+
+template <int Dim>
+bool SecondLawWatch<Dim>::is_noise() const {
+  constexpr double clear = 100.0;
+  return !(largest_ > clear * *noise_) || largest_ == 0.0;
+}
+
+template <int Dim>
+void SecondLawWatch<Dim>::stop(std::string const& why) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  stopped_ = true;
+  result_.overshoot = result_.undershoot = result_.cold_to_hot = {unknown, unknown, {}};
+  result_.smallest_entropy_production.reset();
+  result_.remark = why;
 }
 
 template <int Dim>
 void SecondLawWatch<Dim>::observe(double time, double const* temperature) {
+  if (stopped_) return;
   scene_.set_temperature(temperature);
   scene_.evaluate(time);
   scene_.heating(time, rate_.data());
+  std::string const why = why_not_finite("heating", {rate_});
+  if (!why.empty()) return stop(fmt::format("{} at t = {:.6g}", why, time));
+  largest_ = 0.0;
+  for (double const rate : rate_) largest_ = std::max(largest_, std::abs(rate));
+  if (!noise_ || !scene_.problem().conducts_linearly()) {
+    noise_ = measure_noise(time, temperature);
+    scene_.set_temperature(temperature);
+    scene_.evaluate(time);
+  }
+  ++result_.instants;
   widen_range(time);
+  if (std::isnan(lowest_) || std::isnan(highest_))
+    return stop(
+        fmt::format("the temperature of a wall, or of the initial state, is not finite at t = {:.6g}", time));
   watch_range(time, temperature);
   watch_extrema(time, temperature);
   watch_entropy(time, temperature);
@@ -80,8 +127,8 @@ void SecondLawWatch<Dim>::widen_range(double time) {
     if (wall.heat_loss) outside.include(wall.heat_loss->environment);
     for (std::size_t c = 0; wall.temperature && c < contacts.size(); ++c)
       outside.include(wall.temperature(contacts.foot[c], time));
-    lowest_ = std::min(lowest_, outside.lowest);
-    highest_ = std::max(highest_, outside.highest);
+    lowest_ = smaller(lowest_, outside.lowest);
+    highest_ = larger(highest_, outside.highest);
   }
 }
 
@@ -122,9 +169,7 @@ void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) 
       for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(nearer[j]);
     }
   }
-  double largest = 0.0;
-  for (double const rate : rate_) largest = std::max(largest, std::abs(rate));
-  if (!(largest > 0.0)) return;
+  if (is_noise()) return;
   auto const& places = scene_.particles().positions();
   for (std::size_t i = 0; i < n; ++i) {
     // Strictly: between equals rounding decides.
@@ -133,7 +178,8 @@ void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) 
     bool const coldest =
         temperature[i] <= around[i].lowest && temperature[i] < around[i].highest - round_off_;
     double const wrong = hottest ? rate_[i] : coldest ? -rate_[i] : 0.0;
-    if (wrong > 1e-10 * largest) keep_worse(result_.cold_to_hot, wrong / largest, time, places[i]);
+    if (wrong > std::max(1e-10 * largest_, *noise_))
+      keep_worse(result_.cold_to_hot, wrong / largest_, time, places[i]);
   }
 }
 
@@ -166,7 +212,7 @@ void SecondLawWatch<Dim>::watch_entropy(double time, double const* temperature) 
     production -= power[w] / range.lowest;
     turnover += std::abs(power[w]) / range.lowest;
   }
-  if (!(turnover > 0.0)) return;
+  if (is_noise() || !(turnover > 0.0)) return;
   double const relative = production / turnover;
   if (!result_.smallest_entropy_production || relative < *result_.smallest_entropy_production)
     result_.smallest_entropy_production = relative;

@@ -12,11 +12,15 @@ namespace sphverify {
 ///
 ///   sum_i m_i q_i/T_i - sum_B P_B/T_B >= 0   (specific heat 1; P_B what wall B gives, at its temperature
 ///   T_B)
+///
+/// Ratios of rates count only while the largest heating is a hundred times what temperatures that are off by
+/// the integrator's error would change it by; below, they are noise.
 template <int Dim>
 class SecondLawWatch {
  public:
   /// @param temperature_scale size of a typical temperature
-  SecondLawWatch(Scene<Dim>& scene, double temperature_scale);
+  /// @param temperature_error what the temperatures to come may be off by
+  SecondLawWatch(Scene<Dim>& scene, double temperature_scale, double temperature_error = 0.0);
 
   /// Takes a state of the run into account. Evaluates the scene there.
   void observe(double time, double const* temperature);
@@ -24,6 +28,9 @@ class SecondLawWatch {
   SecondLaw const& result() const { return result_; }
 
  private:
+  double measure_noise(double time, double const* temperature);
+  bool is_noise() const;
+  void stop(std::string const& why);
   void widen_range(double time);
   void watch_range(double time, double const* temperature);
   void watch_extrema(double time, double const* temperature);
@@ -31,6 +38,10 @@ class SecondLawWatch {
 
   Scene<Dim>& scene_;
   double round_off_;
+  double temperature_error_;
+  double largest_ = 0.0;  ///< heating of the state that is looked at
+  Number noise_;          ///< of the heating
+  bool stopped_ = false;
   bool bounded_ = true;  ///< no wall brings heat by a prescribed flux
   double lowest_, highest_;
   std::vector<double> rate_;

@@ -12,10 +12,16 @@
 #include <random>
 
 #include "formulations/support/expects.hpp"
+#include "formulations/support/finite.hpp"
 
 namespace sphverify {
 
 namespace {
+
+constexpr char const* not_finite = "the linearised rate is not finite";
+/// Part of the spectral radius that an eigenvalue may be off by before "no mode grows" says nothing: a mode
+/// that grows by so much would be seen within a few of the fastest periods.
+constexpr double vague_part = 0.1;
 
 using SparseMatrix = Eigen::SparseMatrix<double>;
 
@@ -116,12 +122,22 @@ Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error) {
   constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
   constexpr double coinciding = 4.0;
   Spectrum found;
+  if (!matrix.allFinite()) {
+    found.remark = not_finite;
+    return found;
+  }
   found.complete = true;
   auto const sizes = Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
   double const zero = 1e-12 * static_cast<double>(matrix.rows()) * sizes[0];
   found.unseen_modes = static_cast<std::uint64_t>(
       std::count_if(sizes.begin(), sizes.end(), [&](double s) { return s <= zero; }));
   Eigen::EigenSolver<Eigen::MatrixXd> const solver(matrix, true);
+  if (solver.info() != Eigen::Success) {
+    found.complete = false;
+    found.unseen_modes.reset();
+    found.remark = "the eigenvalues were not found: their iteration does not converge";
+    return found;
+  }
   found.eigenvalues.assign(solver.eigenvalues().begin(), solver.eigenvalues().end());
   Eigen::MatrixXcd const vectors = solver.eigenvectors();
   // Its rows are the left eigenvectors, of a length that makes their product with the right ones 1.
@@ -144,6 +160,10 @@ Spectrum outer_spectrum(DependencyPattern const& pattern, std::vector<double> co
   constexpr double accuracy = 1e-8;
   SparseMatrix const matrix = sparse_matrix(pattern, values);
   Spectrum found;
+  if (first_not_finite(values)) {
+    found.remark = not_finite;
+    return found;
+  }
   RitzPairs const outer = arnoldi([&](Eigen::VectorXd const& x) { return Eigen::VectorXd(matrix * x); },
                                   matrix.rows(), directions, accuracy);
   auto const by = [](auto const& measure) {
@@ -231,7 +251,13 @@ Stability stability_of(Spectrum const& spectrum) {
       is_known = false;
     }
   }
-  if (spectrum.knows_slowest || growing > 0) {
+  double const vaguest = *std::max_element(spectrum.uncertainty.begin(), spectrum.uncertainty.end());
+  bool const is_vague = growing == 0 && !(vaguest <= vague_part * radius) && radius > 0.0;
+  if (is_vague) {
+    stability.remark = fmt::format(
+        "whether a mode grows is not known: eigenvalues may be off by {:.2g}/s, and the largest is {:.2g}/s",
+        vaguest, radius);
+  } else if (spectrum.knows_slowest || growing > 0) {
     stability.spectral_abscissa = spectrum.eigenvalues.front().real();
     stability.abscissa_uncertainty = spectrum.uncertainty.front();
   }
@@ -239,7 +265,8 @@ Stability stability_of(Spectrum const& spectrum) {
   stability.largest_imaginary = imaginary;
   stability.unseen_modes = spectrum.unseen_modes;
   // The outermost eigenvalues do not tell how many others grow.
-  if (spectrum.complete || (growing == 0 && spectrum.knows_slowest)) stability.growing_modes = growing;
+  if (!is_vague && (spectrum.complete || (growing == 0 && spectrum.knows_slowest)))
+    stability.growing_modes = growing;
   if (!stability.remark.empty()) return stability;
   if (growing > 0) {
     stability.remark = "no step is stable: a mode grows";

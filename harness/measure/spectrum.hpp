@@ -55,7 +55,9 @@ Spectrum spectrum(DependencyPattern const& pattern, std::vector<double> const& v
 
 /// What the eigenvalues say: abscissa, radius, growing modes, and the largest stable step of explicit Euler,
 /// min over moving modes of -2 Re(lambda)/|lambda|^2. A mode grows if its real part exceeds its uncertainty.
-/// The abscissa is left out where the slowest modes are not known and none of the others grows.
+/// The abscissa is left out where the slowest modes are not known and none of the others grows; with it the
+/// number of growing modes, where none is seen to but an eigenvalue may be off by more than a tenth of the
+/// radius.
 Stability stability_of(Spectrum const& spectrum);
 
 }  // namespace sphverify

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@
 #include "harness/measure/spectrum.hpp"
 #include "harness/measure/stable_step.hpp"
 #include "harness/run/clock.hpp"
+#include "harness/run/compared.hpp"
 #include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/frozen_conduction.hpp"
@@ -27,19 +29,21 @@ constexpr std::array<double, 5> tolerance_ladder{1e-4, 1e-6, 1e-8, 1e-10, 1e-12}
 constexpr double largest_time_error_share = 0.01;
 /// A solution that has grown to this many times the temperatures of the problem is lost.
 constexpr double unstable_growth = 100.0;
-constexpr std::size_t longest_history = 256;
+constexpr double watch_tolerance = 1e-9;
 
-/// Largest temperature of the exact solution at the ends of the run, walls included.
+/// Largest temperature of the exact solution at the ends of the run, walls included, where it is finite.
 template <int Dim>
 double temperature_scale(Problem<Dim> const& problem) {
   auto const& exact = problem.scalars.at(Field::temperature);
   VectorField<Dim> const samples = lattice(problem.domain, Dim == 1 ? 256 : 32).positions;
   double largest = 0.0;
+  auto const include = [&](double temperature) {
+    if (std::isfinite(temperature)) largest = std::max(largest, std::abs(temperature));
+  };
   for (double const t : {0.0, problem.final_time}) {
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      largest = std::max(largest, std::abs(exact(samples[i], t)));
+    for (std::size_t i = 0; i < samples.size(); ++i) include(exact(samples[i], t));
     for (Wall<Dim> const& wall : problem.walls) {
-      if (wall.temperature) largest = std::max(largest, std::abs(wall.temperature(wall.point, t)));
+      if (wall.temperature) include(wall.temperature(wall.point, t));
     }
   }
   return largest > 0.0 ? largest : 1.0;
@@ -67,7 +71,7 @@ class ConductionIntegration {
     Particles<Dim> const& particles = conduction.scene().particles();
     std::size_t const givers = problem_.walls.size() + 1;
     std::string status;
-    auto const monitor = [&](double t, double const* T, double const* q) -> std::string {
+    auto const monitor = [&](double t, double const* T, double const*) -> std::string {
       if (options_.interrupted && *options_.interrupted) throw Interrupted();
       double largest = 0.0;
       for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -86,21 +90,29 @@ class ConductionIntegration {
         status = "timed-out";
         return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
       }
-      if (watch_) watch_->observe(t, T);
-      if (with_quadratures && options_.measure.contains(Measure::history)) {
-        history_.time.push_back(t);
-        history_.energy.push_back(energy_of(particles, T));
-        history_.exchanged.push_back(0.0);
-        for (std::size_t k = 0; k < givers; ++k) history_.exchanged.back() += q[k];
-      }
       return "";
     };
-    OdeResult result = conduction.integrate(record_.discretisation.integrator, problem_.final_time,
-                                            {tolerance, tolerance * scale_}, with_quadratures, monitor);
+    bool const with_history = with_quadratures && options_.measure.contains(Measure::history);
+    auto const sample = [&](double t, double const* T, double const* q) {
+      if (watch_) watch_->observe(t, T);
+      if (!with_history) return;
+      history_.time.push_back(t);
+      history_.energy.push_back(energy_of(particles, T));
+      history_.exchanged.push_back(std::accumulate(q, q + givers, 0.0));
+    };
+    typename FrozenConduction<Dim>::Sample const looks =
+        watch_ || with_history ? sample : typename FrozenConduction<Dim>::Sample{};
+    OdeResult result =
+        conduction.integrate(record_.discretisation.integrator, problem_.final_time,
+                             {tolerance, tolerance * scale_}, with_quadratures, monitor, looks);
     if (result.outcome == OdeOutcome::finished) return result;
-    record_.status = result.outcome == OdeOutcome::failed ? "unstable" : status;
     record_.reason = result.reason;
-    if (result.outcome == OdeOutcome::failed) record_.reason += fmt::format(" at t = {:.6g}", result.time);
+    if (result.outcome == OdeOutcome::stopped) {
+      record_.status = status;
+    } else {
+      record_.status = result.outcome == OdeOutcome::not_finite ? "non-finite" : "unstable";
+      record_.reason += fmt::format(" at t = {:.6g}", result.time);
+    }
     return std::nullopt;
   }
 
@@ -135,10 +147,10 @@ class ConductionRun : ConductionIntegration<Dim> {
   void run() {
     std::optional<OdeResult> const accepted = choose_tolerance();
     describe_scene();
-    if (accepted) {
-      measure(*accepted);
+    if (accepted) measure(*accepted);
+    if (record_.status == "ok") {
       if (options_.measure.contains(Measure::second_law)) {
-        measure_second_law(*record_.integration->relative_tolerance);
+        measure_second_law();
       }
       run_.awaits_timing = options_.measure.contains(Measure::cost);
     }
@@ -166,25 +178,12 @@ class ConductionRun : ConductionIntegration<Dim> {
     return field_errors({temperature}, {reference}, volumes_, regions_, round_off());
   }
 
-  /// Largest change relative to the error, over regions and norms; changes within round-off do not count.
-  double time_error_share(FieldErrors const& change, FieldErrors const& error) const {
-    double share = 0.0;
-    for (auto const& [region, changed] : change) {
-      NormSet const& norm = error.at(region).error;
-      for (auto const& [delta, whole] :
-           {std::pair{changed.error.l1, norm.l1}, std::pair{changed.error.l2, norm.l2},
-            std::pair{changed.error.linf, norm.linf}}) {
-        if (delta > round_off()) share = std::max(share, delta / whole);
-      }
-    }
-    return share;
-  }
-
   std::optional<OdeResult> choose_tolerance() {
     bool const with_quadratures =
         options_.measure.contains(Measure::conservation) || options_.measure.contains(Measure::history);
     Integration& integration = record_.integration.emplace();
     integration.method = record_.discretisation.integrator;
+    integration.remark = no_time_error_because_it_broke;
     auto const set_tolerance = [&](double tolerance) {
       integration.relative_tolerance = tolerance;
       integration.absolute_tolerance = tolerance * scale_;
@@ -201,6 +200,8 @@ class ConductionRun : ConductionIntegration<Dim> {
                                    tolerance != tolerance_ladder.back() && record_.status == "unstable";
         if (!may_do_better) return std::nullopt;
         looser.reset();
+        integration.time_error = integration.time_error_share = std::nullopt;
+        integration.remark = no_time_error_because_it_broke;
         continue;
       }
       record_.status = "ok";
@@ -208,9 +209,9 @@ class ConductionRun : ConductionIntegration<Dim> {
       if (looser) {
         FieldErrors const change = errors_of(looser->y, tighter->y);
         double const share = time_error_share(change, errors_of(tighter->y, exact_));
-        integration.time_error = change.at("all").error.l2;
-        integration.time_error_share = share;
-        if (share <= largest_time_error_share) {
+        put_time_error(change.at("all").error.l2, share, integration);
+        // What is no number will be none at any tolerance.
+        if (!(share > largest_time_error_share)) {
           set_tolerance(accepted);
           history_ = std::move(history);
           return looser;
@@ -220,8 +221,14 @@ class ConductionRun : ConductionIntegration<Dim> {
       looser = std::move(tighter);
       history = history_;
     }
-    // The tightest tolerance of all is taken; what is recorded of its error is that of the one before, an
-    // upper bound.
+    // The tightest tolerance of all is taken.
+    integration.remark =
+        integration.time_error_share
+            ? fmt::format(
+                  "no tolerance down to {:g} brings it below {:g}: what is given is that of the last but "
+                  "one, which bounds it",
+                  tolerance_ladder.back(), largest_time_error_share)
+            : "only the tightest tolerance got through: there is nothing to compare it with";
     return looser;
   }
 
@@ -235,19 +242,26 @@ class ConductionRun : ConductionIntegration<Dim> {
     Scene<Dim>& scene = conduction_.scene();
     double const end = problem_.final_time;
     conduction_.evaluate(end, result.y.data());
+    std::vector<ComparedField> fields{{"temperature", {result.y}, {exact_}}};
+    VectorField<Dim> exact_flux;
+    if (scene.scheme().two_pass && problem_.vectors.contains(Field::flux)) {
+      exact_flux = sample(problem_.vectors.at(Field::flux), particles_, end);
+      fields.push_back({"flux", components(particles_.vector(Field::flux)), components(exact_flux)});
+    }
+    require_finite(record_, fields, volumes_, regions_);
     if (options_.measure.contains(Measure::error)) {
-      record_.errors["temperature"] = errors_of(result.y, exact_);
-      if (scene.scheme().two_pass && problem_.vectors.contains(Field::flux)) {
-        VectorField<Dim> const exact_flux = sample(problem_.vectors.at(Field::flux), particles_, end);
-        record_.errors["flux"] = field_errors(components(particles_.vector(Field::flux)),
-                                              components(exact_flux), volumes_, regions_, 0.0);
+      for (ComparedField const& field : fields) {
+        record_.errors[std::string(field.name)] = field_errors(
+            field.computed, field.exact, volumes_, regions_, field.name == "flux" ? 0.0 : round_off());
       }
       add_error_context(problem_, particles_, volumes_, regions_, record_.errors);
       measure_wall_flux();
     }
     if (options_.measure.contains(Measure::conservation)) measure_energy(result);
-    if (options_.measure.contains(Measure::profile)) store_profile(result.y);
-    if (options_.measure.contains(Measure::history)) store_history();
+    require_finite_budgets(record_);
+    if (options_.measure.contains(Measure::profile))
+      record_.profile = make_profile(particles_, fields, volumes_, regions_);
+    if (options_.measure.contains(Measure::history)) record_.history = history_;
   }
 
   void measure_wall_flux() {
@@ -260,7 +274,7 @@ class ConductionRun : ConductionIntegration<Dim> {
       Vector<Dim> const flux =
           problem_.vectors.at(Field::flux)(particles_.positions()[i], problem_.final_time);
       for (Wall<Dim> const& wall : problem_.walls)
-        scale = std::max(scale, std::abs(flux.dot(wall.outward_normal)));
+        scale = larger(scale, std::abs(flux.dot(wall.outward_normal)));
     }
     for (std::size_t w = 0; w < problem_.walls.size(); ++w) {
       Number const inward = exact_wall_flux(problem_.vectors.at(Field::flux), problem_.walls[w], particles_,
@@ -294,28 +308,6 @@ class ConductionRun : ConductionIntegration<Dim> {
     for (double const m : particles_.masses()) mass.final += m;
     mass.initial = mass.final;
     record_.conservation["mass"] = mass;
-  }
-
-  void store_profile(std::vector<double> const& temperature) {
-    Profile& profile = record_.profile.emplace();
-    for (std::size_t i = 0; i < particles_.size(); ++i) {
-      Vector<Dim> const x = particles_.positions()[i];
-      profile.position.emplace_back(x.begin(), x.end());
-      profile.computed["temperature"].push_back({temperature[i]});
-      profile.exact["temperature"].push_back({exact_[i]});
-    }
-  }
-
-  void store_history() {
-    History& stored = record_.history.emplace();
-    std::size_t const n = history_.time.size();
-    std::size_t const stride = std::max<std::size_t>(1, (n + longest_history - 1) / longest_history);
-    for (std::size_t k = 0; k < n; ++k) {
-      if (k % stride != 0 && k + 1 != n) continue;
-      stored.time.push_back(history_.time[k]);
-      stored.energy.push_back(history_.energy[k]);
-      stored.exchanged.push_back(history_.exchanged[k]);
-    }
   }
 
   /// Of the rate linearised about the exact solution at the final time.
@@ -361,13 +353,15 @@ class ConductionRun : ConductionIntegration<Dim> {
     }
   }
 
-  /// One more run at the tolerance that was accepted, watched at every step.
-  void measure_second_law(double tolerance) {
+  /// One more run, watched at times that do not depend on its steps, at a tolerance at which what was
+  /// accepted for the end holds for the first moments too.
+  void measure_second_law() {
+    double const tolerance = std::min(watch_tolerance, *record_.integration->relative_tolerance);
     if (problem_.source) {
       record_.second_law.emplace().remark = "a source gives heat: what is conducted cannot be told apart";
       return;
     }
-    watch_.emplace(conduction_.scene(), scale_);
+    watch_.emplace(conduction_.scene(), scale_, 2.0 * tolerance * scale_);
     if (integrate(conduction_, tolerance, false)) {
       record_.second_law = watch_->result();
     } else {

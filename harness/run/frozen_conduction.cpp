@@ -1,8 +1,12 @@
 #include "harness/run/frozen_conduction.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "formulations/support/finite.hpp"
 #include "harness/integrate/dependencies.hpp"
+#include "harness/measure/sample_times.hpp"
 
 namespace sphverify {
 
@@ -50,20 +54,53 @@ ColouredJacobian& FrozenConduction<Dim>::jacobian() {
 }
 
 template <int Dim>
+std::vector<double> FrozenConduction<Dim>::initial_temperature() const {
+  std::vector<double> initial;
+  auto const& exact = scene_.problem().scalars.at(Field::temperature);
+  for (std::size_t i = 0; i < scene_.particles().size(); ++i)
+    initial.push_back(exact(scene_.particles().positions()[i], 0.0));
+  return initial;
+}
+
+template <int Dim>
 OdeResult FrozenConduction<Dim>::integrate(std::string const& method, double final_time,
                                            Tolerances tolerances, bool with_quadratures,
-                                           decltype(OdeSystem::monitor) monitor) {
+                                           decltype(OdeSystem::monitor) monitor, Sample sample) {
+  OdeResult result;
+  std::vector<double> initial = initial_temperature();
+  result.reason = why_not_finite("initial temperature", {initial});
+  if (!result.reason.empty()) {
+    result.outcome = OdeOutcome::not_finite;
+    return result;
+  }
+  result = integrate_from(std::move(initial), method, final_time, tolerances, with_quadratures,
+                          std::move(monitor), std::move(sample));
+  if (result.outcome == OdeOutcome::not_finite) {
+    std::size_t const n = scene_.particles().size();
+    result.reason = result.not_finite < n ? fmt::format("heating of particle {}", result.not_finite)
+                                          : "what walls and sources exchange";
+    result.reason += " is not finite";
+  }
+  return result;
+}
+
+template <int Dim>
+OdeResult FrozenConduction<Dim>::integrate_from(std::vector<double> initial, std::string const& method,
+                                                double final_time, Tolerances tolerances,
+                                                bool with_quadratures, decltype(OdeSystem::monitor) monitor,
+                                                Sample sample) {
   OdeSystem system;
   system.size = scene_.particles().size();
   system.rate = [this](double t, double const* T, double* out) { rate(t, T, out); };
   system.monitor = std::move(monitor);
+  if (sample) {
+    system.sample = std::move(sample);
+    system.sample_times = sample_times(final_time);
+  }
   if (with_quadratures) {
     system.quadratures = scene_.problem().walls.size() + 2 + scene_.geometry().contacts.size();
     system.quadrature = [this](double t, double const* T, double* out) { quadrature(t, T, out); };
   }
-  std::vector<double> initial(system.size);
-  auto const& exact = scene_.problem().scalars.at(Field::temperature);
-  for (std::size_t i = 0; i < system.size; ++i) initial[i] = exact(scene_.particles().positions()[i], 0.0);
   if (method == "runge-kutta")
     return integrate_runge_kutta(system, std::move(initial), final_time, tolerances);
   if (method == "runge-kutta-chebyshev")

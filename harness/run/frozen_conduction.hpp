@@ -19,11 +19,16 @@ class FrozenConduction {
 
   Scene<Dim>& scene() { return scene_; }
 
+  std::vector<double> initial_temperature() const;
+
+  using Sample = decltype(OdeSystem::sample);
+
   /// Integrates to a time by the named method (bdf, implicit-runge-kutta, runge-kutta,
   /// runge-kutta-chebyshev).
   /// @param with_quadratures whether to integrate what crosses walls, at the price of one more rate a step
+  /// @param sample called at `sample_times`, if there is one
   OdeResult integrate(std::string const& method, double final_time, Tolerances tolerances,
-                      bool with_quadratures, decltype(OdeSystem::monitor) monitor);
+                      bool with_quadratures, decltype(OdeSystem::monitor) monitor, Sample sample = {});
 
   /// The linearised rate at a state.
   ColouredJacobian& jacobian();
@@ -34,6 +39,9 @@ class FrozenConduction {
   std::size_t bytes() const { return scene_.bytes() + (jacobian_ ? jacobian_->bytes() : 0); }
 
  private:
+  OdeResult integrate_from(std::vector<double> initial, std::string const& method, double final_time,
+                           Tolerances tolerances, bool with_quadratures, decltype(OdeSystem::monitor) monitor,
+                           Sample sample);
   void rate(double time, double const* temperature, double* out);
   void quadrature(double time, double const* temperature, double* out);
 

@@ -162,12 +162,13 @@ Stability gas_stability(Problem<Dim> const& problem, SceneChoice const& choice, 
                            scene.particles(), problem.domain, scene.walls(), scene.spacing());
   };
   stability = stability_of(found);
+  if (found.eigenvalues.empty()) return stability;
   // Neither is of interest here: no explicit method but leapfrog moves a gas, and density and energy that
   // change together leave its rate as it is.
   stability.largest_stable_step.reset();
   stability.unseen_modes.reset();
-  stability.remark.clear();
-  stability.worst_mode = shape(0);
+  if (stability.growing_modes) stability.remark.clear();
+  if (stability.spectral_abscissa) stability.worst_mode = shape(0);
   double fastest = 0.0;
   double doubtful = 0.0;
   for (std::size_t k = 0; k < found.eigenvalues.size(); ++k) {
@@ -179,10 +180,11 @@ Stability gas_stability(Problem<Dim> const& problem, SceneChoice const& choice, 
     for (std::size_t k = 0; k < found.eigenvalues.size(); ++k) stability.modes.push_back(shape(k));
   }
   if (double const unrest = gas.unrest(); unrest > 1e-6) {
-    stability.remark = fmt::format("the initial state does not stand still: |a| dx/c^2 is {:.2g}", unrest);
+    if (!stability.remark.empty()) stability.remark += "; ";
+    stability.remark += fmt::format("the initial state does not stand still: |a| dx/c^2 is {:.2g}", unrest);
   }
   StableStep& leapfrog = stability.stable_steps["leapfrog"];
-  if (*stability.growing_modes > 0) {
+  if (stability.growing_modes.value_or(0) > 0) {
     leapfrog.remark = "no step is stable: a mode grows";
   } else if (doubtful > fastest) {
     leapfrog.remark = "the fastest mode is not known well enough";

@@ -1,5 +1,7 @@
 #include "harness/run/moving_gas.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -156,6 +158,8 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
     result = integrate_runge_kutta(system, std::move(initial), final_time, tolerances);
   }
   if (result.outcome == OdeOutcome::finished) scene_.evaluate(final_time, result.y.data());
+  if (result.outcome == OdeOutcome::not_finite)
+    result.reason = fmt::format("{} is not finite", scene_.rate_name(result.not_finite));
   return result;
 }
 

@@ -11,6 +11,7 @@
 #include "harness/measure/norms.hpp"
 #include "harness/measure/shock.hpp"
 #include "harness/run/clock.hpp"
+#include "harness/run/compared.hpp"
 #include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/gas_stability.hpp"
@@ -119,10 +120,14 @@ class MovingRun {
       }
       auto const& particles = scene.particles();
       for (std::size_t i = 0; i < particles.size(); ++i) {
-        state.lowest_density = std::min(state.lowest_density, particles.scalar(Field::density)[i]);
-        state.lowest_pressure = std::min(state.lowest_pressure, particles.scalar(Field::pressure)[i]);
+        state.lowest_density = smaller(state.lowest_density, particles.scalar(Field::density)[i]);
+        state.lowest_pressure = smaller(state.lowest_pressure, particles.scalar(Field::pressure)[i]);
         double const v = particles.vector(Field::velocity)[i].norm();
         double const e = std::abs(particles.scalar(Field::internal_energy)[i]);
+        if (!std::isfinite(v)) {
+          status = "non-finite";
+          return fmt::format("velocity of particle {} is not finite at t = {:.6g}", i, t);
+        }
         if (v > unstable_speed * speed) {
           return fmt::format("particle {} moves at {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i,
                              v, unstable_speed, speed, t);
@@ -145,6 +150,8 @@ class MovingRun {
     }
     std::string const when = fmt::format(" at t = {:.6g}", result.time);
     if (result.outcome == OdeOutcome::out_of_steps) return give_up(state, "timed-out", result.reason + when);
+    if (result.outcome == OdeOutcome::not_finite)
+      return give_up(state, "non-finite", result.reason + when + collision(state));
     if (result.outcome == OdeOutcome::failed) {
       return give_up(state, "unstable", result.reason + when + collision(state));
     }
@@ -196,22 +203,13 @@ class MovingRun {
     return fields;
   }
 
-  std::vector<Region> places_of(FinalState<Dim> const& state) const {
-    Particles<Dim> const& particles = state.gas->scene().particles();
-    auto const counts = [&](std::size_t i) {
-      return !problem_.holds || problem_.holds(particles.positions()[i], problem_.final_time);
-    };
-    return regions(particles, state.gas->scene().walls(), counts, final_features(problem_),
-                   smooth_margin(problem_.domain));
-  }
-
   /// Errors of all fields of a state against values at its particles: the exact ones, or another run's.
   std::map<std::string, FieldErrors> differences(FinalState<Dim> const& state,
                                                  Particles<Dim> const* other) const {
     Particles<Dim> const& particles = state.gas->scene().particles();
     double const t = problem_.final_time;
     auto const volumes = exact_volumes(problem_, particles, t);
-    auto const places = places_of(state);
+    auto const places = regions_of(state.gas->scene());
     double const round_off =
         64.0 * std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(state.steps));
     std::map<std::string, FieldErrors> all;
@@ -228,27 +226,19 @@ class MovingRun {
     return all;
   }
 
-  /// Largest change relative to the error, over fields, regions and norms; changes within round-off do not
-  /// count.
-  static double time_error_share(std::map<std::string, FieldErrors> const& changes,
-                                 std::map<std::string, FieldErrors> const& errors) {
+  /// Over fields, regions and norms.
+  static double share_of(std::map<std::string, FieldErrors> const& changes,
+                         std::map<std::string, FieldErrors> const& errors) {
     double share = 0.0;
-    for (auto const& [field, by_region] : changes) {
-      for (auto const& [region, change] : by_region) {
-        RegionError const& whole = errors.at(field).at(region);
-        for (double NormSet::*const norm : {&NormSet::l1, &NormSet::l2, &NormSet::linf}) {
-          double const delta = change.error.*norm;
-          double const error = whole.error.*norm;
-          if (delta > whole.round_off && error > 0.0) share = std::max(share, delta / error);
-        }
-      }
-    }
+    for (auto const& [field, change] : changes)
+      share = larger(share, time_error_share(change, errors.at(field)));
     return share;
   }
 
   std::optional<FinalState<Dim>> choose_step() {
     Integration& integration = record_.integration.emplace();
     integration.method = method();
+    integration.remark = no_time_error_because_it_broke;
     auto const describe = [&](double rung) {
       if (is_leapfrog()) {
         integration.courant_factor = rung;
@@ -268,18 +258,22 @@ class MovingRun {
         bool const may_do_better = !is_leapfrog() && rung != rungs.back() && record_.status != "timed-out";
         if (!may_do_better) return std::nullopt;
         looser.reset();
+        integration.time_error = integration.time_error_share = std::nullopt;
+        integration.remark = no_time_error_because_it_broke;
         continue;
       }
       record_.status = "ok";
       record_.reason.clear();
-      if (!options_.measure.contains(Measure::error)) return tighter;
+      if (!options_.measure.contains(Measure::error)) {
+        integration.remark = "the measure error was not asked for: nothing was compared";
+        return tighter;
+      }
       if (looser) {
         auto const changes = differences(*looser, &tighter->gas->scene().particles());
-        double const share = time_error_share(changes, differences(*looser, nullptr));
-        integration.time_error = changes.at("velocity").at("all").error.l2;
-        integration.time_error_share = share;
+        double const share = share_of(changes, differences(*looser, nullptr));
+        put_time_error(changes.at("velocity").at("all").error.l2, share, integration);
         // Leapfrog is for what jumps: its change on one halving is measured, not brought below a limit.
-        if (share <= largest_time_error_share || is_leapfrog()) {
+        if (!(share > largest_time_error_share) || is_leapfrog()) {
           describe(accepted);
           return looser;
         }
@@ -287,6 +281,13 @@ class MovingRun {
       accepted = rung;
       looser = std::move(tighter);
     }
+    integration.remark =
+        integration.time_error_share
+            ? fmt::format(
+                  "no tolerance down to {:g} brings it below {:g}: what is given is that of the last but "
+                  "one, which bounds it",
+                  rungs.back(), largest_time_error_share)
+            : "only the tightest tolerance got through: there is nothing to compare it with";
     return looser;
   }
 
@@ -314,19 +315,49 @@ class MovingRun {
     if (record_.discretisation.face_weight == "balanced") {
       record_.smallest_face_weight = smallest_face_weight(scene.geometry());
     }
+    compare_fields(scene);
     if (options_.measure.contains(Measure::error)) {
       record_.errors = differences(state, nullptr);
       add_error_context(problem_, scene.particles(),
-                        exact_volumes(problem_, scene.particles(), problem_.final_time), places_of(state),
+                        exact_volumes(problem_, scene.particles(), problem_.final_time), regions_of(scene),
                         record_.errors);
       measure_wall_flux(scene);
       if (problem_.shocks) measure_shocks(scene, motion);
     }
     if (options_.measure.contains(Measure::conservation)) measure_budgets(state);
-    if (options_.measure.contains(Measure::profile)) store_profile(scene.particles());
+    require_finite_budgets(record_);
     if (options_.measure.contains(Measure::history)) store_history(state.history);
+    if (record_.status != "ok") return;
     if (options_.measure.contains(Measure::energy_routes)) measure_energy_routes(state, motion);
     if (options_.measure.contains(Measure::cost)) measure_cost(state);
+  }
+
+  /// Where errors are taken.
+  std::vector<Region> regions_of(MovingScene<Dim> const& scene) const {
+    auto const counts = [&](std::size_t i) {
+      return !problem_.holds || problem_.holds(scene.particles().positions()[i], problem_.final_time);
+    };
+    return regions(scene.particles(), scene.walls(), counts, final_features(problem_),
+                   smooth_margin(problem_.domain));
+  }
+
+  /// Notices what is no number, and stores the profile.
+  void compare_fields(MovingScene<Dim> const& scene) {
+    Particles<Dim> const& particles = scene.particles();
+    double const t = problem_.final_time;
+    std::map<Field, std::vector<double>> exact;
+    std::vector<ComparedField> fields;
+    for (Field const field : scalar_fields()) {
+      exact[field] = sample(problem_.scalars.at(field), particles, t);
+      fields.push_back({info(field).name, {particles.scalar(field)}, {exact[field]}});
+    }
+    VectorField<Dim> const velocity = sample(problem_.vectors.at(Field::velocity), particles, t);
+    fields.push_back({"velocity", components(particles.vector(Field::velocity)), components(velocity)});
+    auto const volumes = exact_volumes(problem_, particles, t);
+    auto const places = regions_of(scene);
+    require_finite(record_, fields, volumes, places);
+    if (options_.measure.contains(Measure::profile))
+      record_.profile = make_profile(particles, fields, volumes, places);
   }
 
   void measure_wall_flux(MovingScene<Dim> const& scene) {
@@ -338,7 +369,7 @@ class MovingRun {
     for (std::size_t i = 0; i < particles.size(); ++i) {
       Vector<Dim> const flux = exact(particles.positions()[i], t);
       for (Wall<Dim> const& wall : scene.walls())
-        scale = std::max(scale, std::abs(flux.dot(wall.outward_normal)));
+        scale = larger(scale, std::abs(flux.dot(wall.outward_normal)));
     }
     auto const exchange = scene.wall_exchange();
     auto const volumes = exact_volumes(problem_, particles, t);
@@ -364,10 +395,10 @@ class MovingRun {
           nearest = i;
       }
       double const e = exact(particles.positions()[nearest], problem_.final_time);
-      if (!(e > 0.0)) continue;
+      if (e <= 0.0) continue;
       double const excess = particles.scalar(Field::internal_energy)[nearest] / e - 1.0;
-      if (!motion.wall_heating || std::abs(excess) > std::abs(*motion.wall_heating))
-        motion.wall_heating = excess;
+      double const most = std::abs(motion.wall_heating.value_or(0.0));
+      if (!motion.wall_heating || larger(std::abs(excess), most) != most) motion.wall_heating = excess;
     }
   }
 
@@ -415,24 +446,6 @@ class MovingRun {
     for (double const m : scene.particles().masses()) mass.final += m;
     mass.initial = mass.final;
     record_.conservation["mass"] = mass;
-  }
-
-  void store_profile(Particles<Dim> const& particles) {
-    Profile& profile = record_.profile.emplace();
-    double const t = problem_.final_time;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      Vector<Dim> const x = particles.positions()[i];
-      profile.position.emplace_back(x.begin(), x.end());
-      for (Field const field : scalar_fields()) {
-        std::string const name(info(field).name);
-        profile.computed[name].push_back({particles.scalar(field)[i]});
-        profile.exact[name].push_back({problem_.scalars.at(field)(x, t)});
-      }
-      Vector<Dim> const v = particles.vector(Field::velocity)[i];
-      Vector<Dim> const exact = problem_.vectors.at(Field::velocity)(x, t);
-      profile.computed["velocity"].emplace_back(v.begin(), v.end());
-      profile.exact["velocity"].emplace_back(exact.begin(), exact.end());
-    }
   }
 
   void store_history(History const& history) {

@@ -1,13 +1,12 @@
 #include "harness/run/rates_run.hpp"
 
-#include <fmt/format.h>
-
 #include <cmath>
 #include <limits>
 #include <optional>
 
 #include "harness/measure/norms.hpp"
 #include "harness/run/clock.hpp"
+#include "harness/run/compared.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
@@ -30,7 +29,7 @@ double rate_round_off(Rate rate, Particles<Dim> const& particles, double spacing
     case Rate::total_work:
       for (int k = 0; k < Dim; ++k) {
         double const speed = largest_magnitude(particles.vector(Field::velocity).component(k));
-        term = std::max(term, largest(Field::pressure) * speed / spacing);
+        term = larger(term, largest(Field::pressure) * speed / spacing);
       }
       break;
     case Rate::density:  // no formulation of its own
@@ -40,18 +39,6 @@ double rate_round_off(Rate rate, Particles<Dim> const& particles, double spacing
       break;
   }
   return 64.0 * std::numeric_limits<double>::epsilon() * term;
-}
-
-/// Index of the first particle whose rate is not finite; their number if there is none.
-template <int Dim>
-std::size_t first_not_finite(Particles<Dim> const& particles, Field field) {
-  std::size_t i = 0;
-  for (; i < particles.size(); ++i) {
-    bool const finite = info(field).is_vector ? particles.vector(field)[i].allFinite()
-                                              : std::isfinite(particles.scalar(field)[i]);
-    if (!finite) break;
-  }
-  return i;
 }
 
 /// One batch of set-ups and evaluations, divided by their number.
@@ -88,36 +75,41 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
   record.scene = scene.record();
   if (choice.discretisation.face_weight == "balanced")
     record.smallest_face_weight = smallest_face_weight(scene.geometry());
-  if (std::size_t const i = first_not_finite(particles, output_field(rate)); i < particles.size()) {
-    record.status = "non-finite";
-    record.reason = fmt::format("{} of particle {} is not finite", info(output_field(rate)).name, i);
-    return;
-  }
 
+  auto const volumes = exact_volumes(problem, particles, 0.0);
+  auto const places = regions(particles, problem.walls);
+  double const round_off = rate_round_off(rate, particles, scene.spacing());
+  std::vector<ComparedField> fields;
+  VectorField<Dim> acceleration, flux;
+  std::vector<double> heating;
+  if (rate == Rate::acceleration) {
+    acceleration = sample(problem.acceleration, particles, 0.0);
+    fields.push_back(
+        {"acceleration", components(particles.vector(Field::acceleration)), components(acceleration)});
+  } else {
+    heating = sample(problem.heating.at(rate), particles, 0.0);
+    fields.push_back({"heating", {particles.scalar(Field::heating)}, {heating}});
+  }
+  if (scene.scheme().two_pass) {
+    flux = sample(problem.vectors.at(Field::flux), particles, 0.0);
+    fields.push_back({"flux", components(particles.vector(Field::flux)), components(flux)});
+  }
+  require_finite(record, fields, volumes, places);
   if (options.measure.contains(Measure::error)) {
-    auto const volumes = exact_volumes(problem, particles, 0.0);
-    auto const places = regions(particles, problem.walls);
-    double const round_off = rate_round_off(rate, particles, scene.spacing());
-    if (rate == Rate::acceleration) {
-      VectorField<Dim> const exact = sample(problem.acceleration, particles, 0.0);
-      record.errors["acceleration"] = field_errors(components(particles.vector(Field::acceleration)),
-                                                   components(exact), volumes, places, round_off);
-    } else {
-      auto const exact = sample(problem.heating.at(rate), particles, 0.0);
-      record.errors["heating"] =
-          field_errors({particles.scalar(Field::heating)}, {exact}, volumes, places, round_off);
+    for (ComparedField const& field : fields) {
+      record.errors[std::string(field.name)] =
+          field_errors(field.computed, field.exact, volumes, places, field.name == "flux" ? 0.0 : round_off);
+    }
+    if (rate != Rate::acceleration) {
       for (Region const& region : places) {
         record.errors["heating"].at(region.name).mean =
-            mean_difference(particles.scalar(Field::heating), exact, volumes, region);
+            mean_difference(particles.scalar(Field::heating), heating, volumes, region);
       }
     }
-    if (scene.scheme().two_pass) {
-      VectorField<Dim> const exact = sample(problem.vectors.at(Field::flux), particles, 0.0);
-      record.errors["flux"] =
-          field_errors(components(particles.vector(Field::flux)), components(exact), volumes, places, 0.0);
-    }
   }
-  run.awaits_timing = options.measure.contains(Measure::cost);
+  if (options.measure.contains(Measure::profile))
+    record.profile = make_profile(particles, fields, volumes, places);
+  run.awaits_timing = record.status == "ok" && options.measure.contains(Measure::cost);
   run.spent_seconds = clock.seconds();
 }
 

@@ -7,6 +7,7 @@
 #include "harness/run/conduction_run.hpp"
 #include "harness/run/moving_run.hpp"
 #include "harness/run/rates_run.hpp"
+#include "harness/run/remarks.hpp"
 #include "harness/scene/place.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
@@ -35,6 +36,7 @@ void measure_in_dimension(Problem<Dim> const& problem, RunSpec const& spec, RunO
       particle_count(problem.domain, choice.discretisation.layout, choice.resolution));
   record.spacing = spacing_of(problem.domain, choice.discretisation.layout, choice.resolution);
   record.smoothing_length = spec.smoothing_ratio * record.spacing;
+  remark_on_support(problem, record);
   switch (spec.scene_case->info.kind) {
     case CaseKind::rates:
       return run_rates(problem, choice, options, run);

@@ -431,6 +431,19 @@ void MovingScene<Dim>::rates(double* out) const {
 }
 
 template <int Dim>
+std::string MovingScene<Dim>::rate_name(std::size_t unknown) const {
+  std::size_t const n = particles_.size();
+  std::vector<char const*> blocks(Dim, "velocity");
+  blocks.insert(blocks.end(), Dim, "acceleration");
+  blocks.push_back("heating");
+  if (has_continuity()) blocks.push_back("density rate");
+  if (unknown < blocks.size() * n) return fmt::format("{} of particle {}", blocks[unknown / n], unknown % n);
+  std::size_t const wall = unknown - blocks.size() * n;
+  if (wall < free_walls_.size()) return fmt::format("speed of wall {}", free_walls_[wall]);
+  return "what walls and sources exchange";
+}
+
+template <int Dim>
 std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   SmoothingLength const h(particles_);

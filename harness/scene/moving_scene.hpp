@@ -69,6 +69,9 @@ class MovingScene {
   /// state's own
   void evaluate(double time, double const* state, double const* drift = nullptr);
 
+  /// What an unknown's rate is a rate of, in words: "acceleration of particle 7".
+  std::string rate_name(std::size_t unknown) const;
+
   /// Of the last evaluated state.
   void rates(double* out) const;
   std::vector<StepLimit> step_limits() const;

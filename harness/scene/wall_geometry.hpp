@@ -9,6 +9,7 @@
 #include "cases/support/problem.hpp"
 #include "formulations/support/domain.hpp"
 #include "formulations/support/pair_geometry.hpp"
+#include "reports/extremes.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
@@ -47,7 +48,7 @@ template <int Dim>
 Number smallest_face_weight(PairGeometry<Dim> const& geometry) {
   Number smallest;
   for (auto const& contacts : geometry.contacts) {
-    for (double const weight : contacts.face_weight) smallest = std::min(smallest.value_or(weight), weight);
+    for (double const weight : contacts.face_weight) smallest = smaller(smallest.value_or(weight), weight);
   }
   return smallest;
 }

@@ -1,13 +1,11 @@
 #include "harness/study/run_study.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <optional>
 #include <thread>
@@ -21,6 +19,7 @@
 #include "harness/study/memory.hpp"
 #include "harness/study/pending_runs.hpp"
 #include "harness/study/progress.hpp"
+#include "harness/study/say.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -49,33 +48,6 @@ int jobs_at_a_time(Study const& study, int asked) {
                asked, cores, most, study.threads, most);
   }
   return asked == 0 ? most : std::min(asked, most);
-}
-
-/// Says how many runs ended how, unless all are ok.
-void say_outcomes(std::vector<RunRecord> const& runs) {
-  std::map<std::string, std::size_t> outcomes;
-  for (RunRecord const& run : runs) ++outcomes[run.status];
-  if (outcomes["ok"] == runs.size()) return;
-  std::vector<std::string> counts;
-  for (auto const& [status, count] : outcomes) counts.push_back(fmt::format("{} {}", count, status));
-  fmt::print(stderr, "of {} runs {}\n", runs.size(), fmt::join(counts, ", "));
-}
-
-/// Says why runs were refused, each reason once: it is the input that was wrong, not a formulation.
-void say_invalid(std::vector<RunRecord> const& runs) {
-  std::map<std::string, std::size_t> reasons;
-  for (RunRecord const& run : runs) {
-    if (run.status == "invalid") ++reasons[run.reason];
-  }
-  constexpr std::size_t most = 10;
-  std::size_t said = 0;
-  for (auto const& [reason, count] : reasons) {
-    if (++said > most) {
-      fmt::print(stderr, "invalid: and {} more reasons\n", reasons.size() - most);
-      break;
-    }
-    fmt::print(stderr, "invalid: {} of {} runs: {}\n", count, runs.size(), reason);
-  }
 }
 
 /// What the progress of a study starts from.
@@ -122,7 +94,9 @@ void run_study(Study const& study, StudyOptions const& options) {
                                .repeat = study.repeat,
                                .time_budget = study.time_budget,
                                .interrupted = options.interrupted};
+  std::size_t const units = expansion.runs.size();
   for (Skipped const& s : expansion.skipped) {
+    if (units == 0) break;  // said in one line at the end
     fmt::print(stderr, "skipped: {} on {}: {}\n", s.formulation, s.case_id, s.reason);
   }
   auto const finished_before = [&](std::size_t index) -> RunRecord const* {
@@ -138,7 +112,6 @@ void run_study(Study const& study, StudyOptions const& options) {
     if (journal) journal->append(index, record);
     return record;
   };
-  std::size_t const units = expansion.runs.size();
   // What one unit of the study ran: a single run, or those of an envelope.
   std::vector<std::vector<RunRecord>> records(units);
   results.envelopes.resize(study.envelope ? units : 0);
@@ -152,7 +125,7 @@ void run_study(Study const& study, StudyOptions const& options) {
       todo.push_back(k);
     }
   }
-  {
+  if (units > 0) {
     std::vector<RunProgress> runs = progress_of(expansion);
     for (std::size_t k = 0; k < units; ++k) {
       if (!records[k].empty()) runs[k].state = RunProgress::State::finished_before;
@@ -194,11 +167,11 @@ void run_study(Study const& study, StudyOptions const& options) {
   if (!study.envelope) results.series = build_series(results.runs);
   write_document(options.output, document_text(to_json(results)));
   if (journal) journal->remove();
-  say_outcomes(results.runs);
-  say_invalid(results.runs);
-  if (units == 0)
-    fmt::print(stderr, "nothing ran: every combination of study '{}' is skipped, for the reasons above\n",
-               study.name);
+  if (units == 0) {
+    throw UserError(options.document, "formulations", why_nothing_ran(expansion.skipped),
+                    "a combination that makes sense");
+  }
+  say_how_it_went(results.runs);
 }
 
 }  // namespace sphverify

@@ -9,16 +9,17 @@
 namespace sphverify {
 
 struct StudyOptions {
-  std::string output = "-";  ///< where the results go
-  int jobs = 0;              ///< runs at a time; 0: as many as cores allow
+  std::string document = "study";  ///< name of the study's file, for what is said of it
+  std::string output = "-";        ///< where the results go
+  int jobs = 0;                    ///< runs at a time; 0: as many as cores allow
   bool resume = false;
   std::atomic<bool> const* interrupted = nullptr;
 };
 
 /// Runs every combination of a study, several at a time but never more than there are cores, so that a timed
 /// run has a core to itself, and writes the results document. Beside it a journal keeps every finished run
-/// until then. Throws UserError, and Interrupted when asked to stop (the journal then holds what is
-/// finished).
+/// until then. Throws UserError (if nothing makes sense, after the document that says why is written), and
+/// Interrupted when asked to stop (the journal then holds what is finished).
 void run_study(Study const& study, StudyOptions const& options);
 
 }  // namespace sphverify

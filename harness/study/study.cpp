@@ -334,10 +334,15 @@ EnvelopeChoice read_envelope(Node const& node, Study const& study) {
 }  // namespace
 
 Study read_study(Node const& document) {
-  document.require_schema("sphverify-study/1");
-  document.require_keys({"schema", "name", "cases", "formulations", "discretisation", "resolution",
-                         "smoothing_exponent", "measure", "threads", "repeat", "closure", "integrator",
-                         "viscosity", "smoothing", "wall_motion", "time_budget", "envelope"});
+  document.require_document("sphverify-study/1",
+                            {"schema", "name", "cases", "formulations", "discretisation", "resolution",
+                             "smoothing_exponent", "measure", "threads", "repeat", "closure", "integrator",
+                             "viscosity", "smoothing", "wall_motion", "time_budget", "envelope"});
+  // What is not known is named before what is missing.
+  if (auto const d = document.find("discretisation")) {
+    d->require_keys({"kernel", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator",
+                     "viscosity", "smoothing", "wall_motion"});
+  }
   Study study;
   study.name = document.at("name").string();
   for (Node const& node : document.at("cases").one_or_many()) {
@@ -358,8 +363,6 @@ Study read_study(Node const& document) {
   }
 
   if (auto const d = document.find("discretisation")) {
-    d->require_keys({"kernel", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator",
-                     "viscosity", "smoothing", "wall_motion"});
     for (char const* key : {"closure", "integrator", "viscosity", "smoothing", "wall_motion"}) {
       if (d->find(key) && document.find(key)) {
         document.at(key).complain("this key either here or in discretisation");

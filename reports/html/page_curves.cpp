@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/extremes.hpp"
 #include "reports/html/page_runs.hpp"
 
 namespace sphverify::page {
@@ -71,7 +72,7 @@ Json histories_json(Results const& results, std::size_t share) {
         bool const exists = i < h.energy.size() && i < h.exchanged.size();
         json["drift"].push_back(exists ? number(h.energy[i] - b.initial - h.exchanged[i]) : Json(nullptr));
       }
-      json["scale"] = number(std::max(std::abs(b.initial), std::abs(b.final)));
+      json["scale"] = number(larger(std::abs(b.initial), std::abs(b.final)));
     }
     if (!h.momentum.empty()) json["momentum"] = picked(h.momentum, kept);
     json["wall_impulse_defect"] = Json::array();

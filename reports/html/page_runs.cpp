@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reports/extremes.hpp"
+
 namespace sphverify::page {
 
 namespace {
 
 Number relative(Number const& value, Budget const& budget) {
-  double const scale = std::max(std::abs(budget.initial), std::abs(budget.final));
+  double const scale = larger(std::abs(budget.initial), std::abs(budget.final));
   return value ? Number(std::abs(*value) / (scale > 0.0 ? scale : 1.0)) : Number();
 }
 
@@ -20,8 +22,8 @@ Json runs_json(Results const& results, std::vector<std::size_t> const& series_of
     RunRecord const& run = results.runs[i];
     Number flux_error, drift, defect;
     for (WallFlux const& wall : run.wall_flux) {
-      if (wall.scale > 0.0)
-        flux_error = std::max(flux_error.value_or(0.0), std::abs(wall.error) / wall.scale);
+      if (!(wall.scale <= 0.0))
+        flux_error = larger(flux_error.value_or(0.0), std::abs(wall.error) / wall.scale);
     }
     if (auto const energy = run.conservation.find("energy"); energy != run.conservation.end()) {
       drift = relative(energy->second.drift, energy->second);

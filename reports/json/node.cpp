@@ -8,44 +8,11 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <set>
+
+#include "reports/json/syntax.hpp"
+#include "reports/printable.hpp"
 
 namespace sphverify {
-
-namespace {
-
-constexpr int deepest_nesting = 64;
-
-std::size_t line_of(std::string const& text, std::size_t byte) {
-  auto const end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
-  return 1 + static_cast<std::size_t>(std::count(text.begin(), end, '\n'));
-}
-
-/// Refuses what the parser would accept in silence: a key given twice, and nesting so deep that it exhausts
-/// the stack.
-class DocumentGuard {
- public:
-  explicit DocumentGuard(std::string const& path) : path_(path) {}
-
-  bool operator()(int depth, Json::parse_event_t event, Json const& value) {
-    if (depth > deepest_nesting) {
-      throw UserError(path_, "", "lists or objects nested too deeply",
-                      fmt::format("at most {} levels", deepest_nesting));
-    }
-    if (event == Json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys_.pop_back();
-    if (event == Json::parse_event_t::key && !keys_.back().insert(value.get<std::string>()).second) {
-      throw UserError(path_, value.get<std::string>(), "the same key twice", "every key of an object once");
-    }
-    return true;
-  }
-
- private:
-  std::string const& path_;
-  std::vector<std::set<std::string>> keys_;
-};
-
-}  // namespace
 
 Json read_json_file(std::string const& path) {
   std::string text;
@@ -61,26 +28,14 @@ Json read_json_file(std::string const& path) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw UserError(path, "", "an empty file", "a JSON document");
   }
+  if (auto const error = find_syntax_error(text)) {
+    throw UserError(path, fmt::format("line {}, column {}", error->line, error->column), error->found,
+                    error->expected);
+  }
   try {
-    DocumentGuard guard(path);
-    return Json::parse(text, [&guard](int depth, Json::parse_event_t event, Json const& value) {
-      return guard(depth, event, value);
-    });
-  } catch (Json::parse_error const& error) {
-    std::size_t const line = line_of(text, error.byte);
-    bool const cut = error.byte >= text.size();
-    throw UserError(path, fmt::format("line {}", line),
-                    cut ? "the end of the file inside the document"
-                        : fmt::format("a syntax error at byte {}", error.byte),
-                    "a complete JSON document");
-  } catch (Json::out_of_range const& error) {
-    // The message ends with the offending number in quotes.
-    std::string const what = error.what();
-    std::size_t const first = what.find('\'');
-    std::string const token =
-        first == std::string::npos ? "" : what.substr(first + 1, what.rfind('\'') - first - 1);
-    throw UserError(path, fmt::format("line {}", line_of(text, text.find(token))), token,
-                    "a number within the range of double");
+    return Json::parse(text);
+  } catch (Json::exception const& error) {
+    throw UserError(path, "", fmt::format("what its parser refuses: {}", error.what()), "a JSON document");
   }
 }
 
@@ -89,8 +44,11 @@ std::string Node::describe() const {
   if (value_->is_string()) text = "'" + value_->get<std::string>() + "'";
   if (value_->is_object()) text = "an object";
   if (value_->is_array()) text = value_->empty() ? "an empty list" : "a list";
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return text;
+  text = printable(text);
+  if (text.size() <= 60) return text;
+  std::size_t end = 57;
+  while ((static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) --end;  // between characters
+  return text.substr(0, end) + "...";
 }
 
 void Node::complain(std::string const& expected) const { throw UserError(file_, key_, describe(), expected); }
@@ -108,6 +66,13 @@ void Node::require_schema(std::string const& schema) const {
   if (!is_object()) complain(fmt::format("a document of schema {}", schema));
   Node const found = at("schema");
   if (!found.is_string() || found.string() != schema) found.complain(schema);
+}
+
+void Node::require_document(std::string const& schema, std::vector<std::string> const& known) const {
+  // Of another document no key is to be expected; but who mistypes `schema` has an unknown key.
+  if (!is_object() || find("schema")) require_schema(schema);
+  require_keys(known);
+  require_schema(schema);
 }
 
 std::optional<Node> Node::find(std::string const& key) const {

@@ -13,7 +13,8 @@ namespace sphverify {
 
 using Json = nlohmann::ordered_json;
 
-/// Reads and parses a file; `-` is standard input. Throws UserError.
+/// Reads and parses a file; `-` is standard input. Throws UserError, with line and column of what is not
+/// JSON.
 Json read_json_file(std::string const& path);
 
 /// A place in a user's document that knows its file and key, so that every complaint can name them. All reads
@@ -34,6 +35,8 @@ class Node {
 
   /// Complains of a key that is not in the list, naming the nearest one that is.
   void require_keys(std::vector<std::string> const& known) const;
+  /// Complains of another schema, else of a key that is not known, else of a missing schema.
+  void require_document(std::string const& schema, std::vector<std::string> const& known) const;
   /// Complains of a schema other than this.
   void require_schema(std::string const& schema) const;
 
@@ -54,9 +57,10 @@ class Node {
   std::vector<double> numbers() const;
 
   [[noreturn]] void complain(std::string const& expected) const;
+  /// The value in a few words, on one line.
+  std::string describe() const;
 
  private:
-  std::string describe() const;
   std::string child_key(std::string const& name) const { return key_.empty() ? name : key_ + "." + name; }
 
   Json const* value_;

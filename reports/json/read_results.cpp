@@ -1,5 +1,6 @@
 #include <limits>
 
+#include "reports/json/lists_json.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/json/surface_json.hpp"
 #include "reports/run_statuses.hpp"
@@ -9,11 +10,6 @@ namespace sphverify {
 namespace {
 
 constexpr std::int64_t any_count = std::numeric_limits<std::int64_t>::max();
-
-/// A number that was not finite was written as null.
-double measured(Node const& node) {
-  return node.is_null() ? std::numeric_limits<double>::quiet_NaN() : node.number();
-}
 
 Number optional_number(Node const& node) { return node.is_null() ? Number() : Number(node.number()); }
 
@@ -119,7 +115,7 @@ namespace {
 
 Mode read_mode(Node const& node) {
   return {measured(node.at("growth")), measured(node.at("frequency")), optional_number(node.at("wavelength")),
-          optional_number(node.at("wall_share")), node.at("centre").numbers()};
+          optional_number(node.at("wall_share")), measured_list(node.at("centre"))};
 }
 
 Stability read_stability(Node const& node) {
@@ -147,10 +143,11 @@ Stability read_stability(Node const& node) {
 SecondLaw read_second_law(Node const& node) {
   auto const breach = [&](char const* key) {
     Node const b = node.at(key);
-    return Breach{measured(b.at("size")), measured(b.at("time")), b.at("position").numbers()};
+    return Breach{measured(b.at("size")), measured(b.at("time")), measured_list(b.at("position"))};
   };
   return {breach("overshoot"), breach("undershoot"), breach("cold_to_hot"),
-          optional_number(node.at("smallest_entropy_production")), node.at("remark").string()};
+          optional_number(node.at("smallest_entropy_production")),
+          node.at("remark").string(), node.find("instants") ? count(node.at("instants")) : 0};
 }
 
 Envelope read_envelope(Node const& node) {
@@ -178,7 +175,8 @@ Integration read_integration(Node const& node) {
           optional_number(node.at("absolute_tolerance")),
           optional_number(node.at("courant_factor")),
           optional_number(node.at("time_error")),
-          optional_number(node.at("time_error_share"))};
+          optional_number(node.at("time_error_share")),
+          node.find("remark") ? node.at("remark").string() : ""};
 }
 
 Budget read_budget(Node const& b) {
@@ -202,9 +200,9 @@ Budget read_component(Node const& b, std::size_t k) {
 WallBudget read_wall_budget(Node const& node) {
   Node const impulse = node.at("impulse");
   Node const energy = node.at("energy");
-  return {node.at("position").numbers(),      impulse.at("measured").numbers(),
-          impulse.at("prescribed").numbers(), measured(energy.at("measured")),
-          measured(energy.at("prescribed")),  measured(energy.at("heat"))};
+  return {measured_list(node.at("position")),      measured_list(impulse.at("measured")),
+          measured_list(impulse.at("prescribed")), measured(energy.at("measured")),
+          measured(energy.at("prescribed")),       measured(energy.at("heat"))};
 }
 
 ShockRecord read_shock(Node const& node) {
@@ -226,14 +224,6 @@ Motion read_motion(Node const& node) {
   m.wall_heating = optional_number(node.at("wall_heating"));
   m.energy_routes = optional_number(node.at("energy_routes"));
   return m;
-}
-
-std::map<std::string, std::vector<std::vector<double>>> read_lists(Node const& node) {
-  std::map<std::string, std::vector<std::vector<double>>> lists;
-  for (auto const& [field, values] : node.members()) {
-    for (Node const& value : values.elements()) lists[field].push_back(value.numbers());
-  }
-  return lists;
 }
 
 ObservedOrder read_order(Node const& node) {
@@ -315,6 +305,9 @@ RunRecord read_run(Node const& node) {
   r.smoothing_length = measured(node.at("smoothing_length"));
   r.status = node.at("status").word(run_statuses);
   r.reason = optional_string(node.at("reason"));
+  if (auto const remarks = node.find("remarks")) {
+    for (Node const& remark : remarks->elements()) r.remarks.push_back(remark.string());
+  }
   for (Node const& field : node.at("scene").at("fields").elements()) r.scene.fields.push_back(field.string());
   for (auto const& [pass, times] : node.at("scene").at("pass_counts").members())
     r.scene.passes[pass] = count(times);
@@ -357,28 +350,9 @@ RunRecord read_run(Node const& node) {
   if (Node const integration = node.at("integration"); !integration.is_null()) {
     r.integration = read_integration(integration);
   }
-  if (auto const profile = node.find("profile")) {
-    Profile& p = r.profile.emplace();
-    for (Node const& x : profile->at("position").elements()) p.position.push_back(x.numbers());
-    p.computed = read_lists(profile->at("computed"));
-    p.exact = read_lists(profile->at("exact"));
-  }
-  if (auto const history = node.find("history")) {
-    History& h = r.history.emplace();
-    h.time = history->at("time").numbers();
-    h.energy = history->at("energy").numbers();
-    h.exchanged = history->at("exchanged").numbers();
-    if (auto const momentum = history->find("momentum")) h.momentum = momentum->numbers();
-    for (auto const& [key, lists] : {std::pair{"wall_impulse_defect", &h.wall_impulse_defect},
-                                     std::pair{"wall_energy_defect", &h.wall_energy_defect}}) {
-      if (auto const walls = history->find(key)) {
-        for (Node const& wall : walls->elements()) lists->push_back(wall.numbers());
-      }
-    }
-  }
-  if (auto const spectrum = node.find("spectrum")) {
-    for (Node const& lambda : spectrum->elements()) r.spectrum.push_back(lambda.numbers());
-  }
+  if (auto const profile = node.find("profile")) r.profile = read_profile(*profile);
+  if (auto const history = node.find("history")) r.history = read_history(*history);
+  if (auto const spectrum = node.find("spectrum")) r.spectrum = measured_lists(*spectrum);
   return r;
 }
 

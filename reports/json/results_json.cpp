@@ -2,21 +2,12 @@
 
 #include <cmath>
 
+#include "reports/json/lists_json.hpp"
 #include "reports/json/surface_json.hpp"
 
 namespace sphverify {
 
 namespace {
-
-/// JSON has no NaN and no infinity: what does not exist is null.
-Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-Json number(Number const& value) { return value ? number(*value) : Json(nullptr); }
-
-Json numbers(std::vector<double> const& values) {
-  Json list = Json::array();
-  for (double const value : values) list.push_back(number(value));
-  return list;
-}
 
 Json to_json(NormSet const& norms) {
   return {{"l1", number(norms.l1)}, {"l2", number(norms.l2)}, {"linf", number(norms.linf)}};
@@ -157,6 +148,7 @@ Json to_json(SecondLaw const& s) {
           {"undershoot", to_json(s.undershoot)},
           {"cold_to_hot", to_json(s.cold_to_hot)},
           {"smallest_entropy_production", number(s.smallest_entropy_production)},
+          {"instants", s.instants},
           {"remark", s.remark}};
 }
 
@@ -166,14 +158,8 @@ Json to_json(Integration const& i) {
           {"absolute_tolerance", number(i.absolute_tolerance)},
           {"courant_factor", number(i.courant_factor)},
           {"time_error", number(i.time_error)},
-          {"time_error_share", number(i.time_error_share)}};
-}
-
-Json to_json(Profile const& p) {
-  Json json = {{"position", p.position}, {"computed", Json::object()}, {"exact", Json::object()}};
-  for (auto const& [field, values] : p.computed) json["computed"][field] = values;
-  for (auto const& [field, values] : p.exact) json["exact"][field] = values;
-  return json;
+          {"time_error_share", number(i.time_error_share)},
+          {"remark", i.remark}};
 }
 
 Json to_json(ErrorLaw const& law) {
@@ -343,6 +329,7 @@ Json to_json(RunRecord const& r) {
   json["smoothing_length"] = number(r.smoothing_length);
   json["status"] = r.status;
   json["reason"] = r.reason.empty() ? Json(nullptr) : Json(r.reason);
+  json["remarks"] = r.remarks;
   Json passes = Json::array();
   Json counts = Json::object();
   for (auto const& [pass, times] : r.scene.passes) {
@@ -372,17 +359,8 @@ Json to_json(RunRecord const& r) {
   if (r.second_law) json["second_law"] = to_json(*r.second_law);
   json["integration"] = r.integration ? to_json(*r.integration) : Json(nullptr);
   if (r.profile) json["profile"] = to_json(*r.profile);
-  if (r.history) {
-    json["history"] = {{"time", numbers(r.history->time)},
-                       {"energy", numbers(r.history->energy)},
-                       {"exchanged", numbers(r.history->exchanged)}};
-    if (r.motion) {
-      json["history"]["momentum"] = numbers(r.history->momentum);
-      json["history"]["wall_impulse_defect"] = r.history->wall_impulse_defect;
-      json["history"]["wall_energy_defect"] = r.history->wall_energy_defect;
-    }
-  }
-  if (!r.spectrum.empty()) json["spectrum"] = r.spectrum;
+  if (r.history) json["history"] = to_json(*r.history, r.motion.has_value());
+  if (!r.spectrum.empty()) json["spectrum"] = number_lists(r.spectrum);
   return json;
 }
 

@@ -51,7 +51,13 @@ TextTable modes_table(std::string const& title, std::vector<SeriesRow> const& ro
   };
   return number_table(
       title, rows,
-      {stability_column("growing modes", [=](Stability const& s) { return count(s.growing_modes); }),
+      {stability_column("growing modes",
+                        [=](Stability const& s) {
+                          if (s.growing_modes) return count(s.growing_modes);
+                          // Of many modes the outermost alone may be known; if any grows, so does the worst.
+                          bool const grows = s.worst_mode && s.spectral_abscissa > 0.0;
+                          return Cell{grows ? "some" : "not known", std::nullopt};
+                        }),
        // None is best: between insulated walls a uniform temperature has to be one.
        stability_column("unseen modes",
                         [=](Stability const& s) {

@@ -22,6 +22,7 @@ std::string scientific(Number const& value) {
 
 std::string percent(Number const& value) {
   if (!value) return "-";
+  if (!std::isfinite(*value)) return "fails";
   double const hundredths = 100.0 * *value;
   if (hundredths < 1e-9) return "0%";  // rounding
   if (hundredths >= 10000.0) return scientific(hundredths) + "%";

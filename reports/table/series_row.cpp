@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/extremes.hpp"
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/second_law_watched.hpp"
@@ -19,11 +20,14 @@ namespace {
 /// The field that a case is about.
 constexpr std::array<char const*, 4> leading_fields{"temperature", "velocity", "acceleration", "heating"};
 
-void raise(Number& largest, double value) { largest = std::max(largest.value_or(value), value); }
+/// A number that is none stays.
+void raise(Number& largest, double value) { largest = larger(largest.value_or(value), value); }
 
 /// Keeps the one that is furthest from 0, with its sign.
 void worsen(Number& worst, Number const& value) {
-  if (value && (!worst || std::abs(*value) > std::abs(*worst))) worst = value;
+  if (!value) return;
+  double const most = std::abs(worst.value_or(0.0));
+  if (!worst || larger(std::abs(*value), most) != most) worst = value;
 }
 
 /// What sums of terms of that size, taken anew at every step, can be off by rounding: 64 epsilon as for
@@ -37,7 +41,7 @@ void read_energy(RunRecord const& run, SeriesRow& row) {
   auto const found = run.conservation.find("energy");
   if (found == run.conservation.end()) return;
   Budget const& b = found->second;
-  double const size = std::max(std::abs(b.initial), std::abs(b.final));
+  double const size = larger(std::abs(b.initial), std::abs(b.final));
   double const scale = size > 0.0 ? size : 1.0;
   raise(row.energy_drift, std::abs(b.drift) / scale);
   raise(row.energy_rounding, rounding_of(std::max(size, std::abs(b.exchanged)), run) / scale);
@@ -76,9 +80,9 @@ void read_motion(RunRecord const& run, SeriesRow& row) {
   double defect = 0.0;
   for (WallBudget const& wall : run.wall_budgets) {
     for (std::size_t k = 0; k < wall.prescribed_impulse.size(); ++k) {
-      scale = std::max(scale, std::abs(wall.prescribed_impulse[k]));
+      scale = larger(scale, std::abs(wall.prescribed_impulse[k]));
       if (k < wall.impulse.size())
-        defect = std::max(defect, std::abs(wall.impulse[k] - wall.prescribed_impulse[k]));
+        defect = larger(defect, std::abs(wall.impulse[k] - wall.prescribed_impulse[k]));
     }
   }
   read_momentum(run, scale, row);
@@ -91,6 +95,14 @@ bool is_shorter(StableStep const& a, StableStep const& b) {
   return length(a) < length(b);
 }
 
+/// That a mode grows in one run is known of the row; that none does only if it is known of every run.
+template <class T>
+std::optional<T> larger_unless_unknown(std::optional<T> const& a, std::optional<T> const& b) {
+  if (a && b) return std::max(a, b);
+  std::optional<T> const& known = a ? a : b;
+  return known && *known > T() ? known : std::nullopt;
+}
+
 void read_stability(RunRecord const& run, SeriesRow& row) {
   if (!run.stability) return;
   Stability const& s = *run.stability;
@@ -99,10 +111,11 @@ void read_stability(RunRecord const& run, SeriesRow& row) {
     return;
   }
   Stability& worst = *row.stability;
-  if (s.spectral_abscissa) raise(worst.spectral_abscissa, *s.spectral_abscissa);
+  worst.spectral_abscissa = larger_unless_unknown(worst.spectral_abscissa, s.spectral_abscissa);
   if (s.spectral_radius) raise(worst.spectral_radius, *s.spectral_radius);
-  worst.growing_modes = std::max(worst.growing_modes, s.growing_modes);
-  worst.unseen_modes = std::max(worst.unseen_modes, s.unseen_modes);
+  worst.growing_modes = larger_unless_unknown(worst.growing_modes, s.growing_modes);
+  if (!worst.worst_mode) worst.worst_mode = s.worst_mode;
+  worst.unseen_modes = larger_if_known(worst.unseen_modes, s.unseen_modes);
   for (auto const& [method, step] : s.stable_steps) {
     auto const [place, is_new] = worst.stable_steps.emplace(method, step);
     if (!is_new && is_shorter(step, place->second)) place->second = step;
@@ -122,7 +135,8 @@ void read_second_law(RunRecord const& run, SeriesRow& row) {
     worst.remark = s.remark;
   for (Breach SecondLaw::*const breach :
        {&SecondLaw::overshoot, &SecondLaw::undershoot, &SecondLaw::cold_to_hot}) {
-    if ((s.*breach).size > (worst.*breach).size) worst.*breach = s.*breach;
+    double const most = (worst.*breach).size;
+    if (!std::isnan(most) && larger((s.*breach).size, most) != most) worst.*breach = s.*breach;
   }
   if (s.smallest_entropy_production &&
       s.smallest_entropy_production < worst.smallest_entropy_production.value_or(INFINITY)) {
@@ -152,7 +166,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
     if (run.cost) timed.push_back(&*run.cost);
     read_motion(run, row);
     for (WallFlux const& wall : run.wall_flux) {
-      if (wall.scale > 0.0) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
+      if (!(wall.scale <= 0.0)) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
       row.heat_crosses_walls = row.heat_crosses_walls || std::abs(wall.exact) > 1e-9 * wall.scale;
     }
     read_energy(run, row);

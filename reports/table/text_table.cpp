@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "reports/printable.hpp"
 #include "reports/table/number_text.hpp"
 
 namespace sphverify {
@@ -183,9 +184,29 @@ std::string render_csv(TextTable const& table) {
   return text;
 }
 
+/// Titles may have several lines.
+std::string printable_lines(std::string_view text) {
+  std::string out;
+  for (std::size_t start = 0; start <= text.size();) {
+    std::size_t const end = std::min(text.find('\n', start), text.size());
+    if (start > 0) out += '\n';
+    out += printable(text.substr(start, end - start));
+    start = end + 1;
+  }
+  return out;
+}
+
 }  // namespace
 
-std::string render(TextTable const& table, TextStyle const& style) {
+std::string render(TextTable const& as_given, TextStyle const& style) {
+  // Names come from documents, which may hold anything.
+  TextTable table = as_given;
+  table.title = printable_lines(table.title);
+  for (std::string& name : table.header) name = printable_lines(name);
+  for (auto& row : table.rows) {
+    for (std::string& cell : row) cell = printable_lines(cell);
+  }
+  for (std::string& note : table.notes) note = printable_lines(note);
   switch (style.format) {
     case TableFormat::markdown:
       return render_markdown(with_notes_beside(table));

@@ -278,6 +278,80 @@ class Files(BadInput):
         self.refuse_everywhere('{"a":' * deep + "1" + "}" * deep)
         self.refuse_everywhere('{"schema": "sphverify-study/1", "name": ' + "[" * deep + "]" * deep + "}")
 
+    def test_what_is_not_json_is_said_in_words_with_line_and_column(self):
+        for text, said in (
+            ('{"a": 1,}', "line 1, column 8: found a trailing comma, expected another entry after it, or none before '}'"),
+            ('{"a": [1,\n2,]}', "line 2, column 2: found a trailing comma"),
+            ('{"a": 1\n "b": 2}', "line 1, column 8: found a missing comma before a text"),
+            ("[1 2]", "line 1, column 3: found a missing comma before '2'"),
+            ('{"a": "b\n}', "line 1, column 7: found a text that is not closed on its line"),
+            ('{"a": "b', "line 1, column 9: found the end of the file, expected a complete JSON document: the text "
+                         "that opens at line 1, column 7 is not closed"),
+            ('{"a": [1,\n{"b": 2', "the object that opens at line 2, column 1 is not closed"),
+            ("{'a': 1}", "line 1, column 2: found a single quote, expected double quotes"),
+            ('{“a”: 1}', "line 1, column 2: found a typographic quote, expected double quotes"),
+            ('{"a": 1} // why', "line 1, column 10: found a comment"),
+            ('# why\n{"a": 1}', "line 1, column 1: found a comment"),
+            ('{"a" 1}', "line 1, column 6: found '1', expected a colon after the key 'a'"),
+            ('{"a": }', "line 1, column 7: found '}', expected a value of the key 'a'"),
+            ("{a: 1}", "line 1, column 2: found 'a' without quotes, expected a key in double quotes"),
+            ('{"ä": NaN}', "line 1, column 7: found 'NaN', expected a finite number"),
+            ('{"a": True}', "line 1, column 7: found 'True', expected true"),
+            ('{"a": .5}', "line 1, column 7: found '.5', expected a number as JSON writes it"),
+            ('{"a": 1e999}', "line 1, column 7: found '1e999', expected a number within the range of double"),
+            ('{"a": 1}}', "line 1, column 9: found '}' after the end of the document"),
+            ('{"a": [1}', "line 1, column 9: found '}', expected ']', which closes the list that opens at line 1"),
+            ('{"a": 1, "a": 2}', "line 1, column 10: found the key 'a' twice"),
+            ('{"a": 1, "\\u0061": 2}', "line 1, column 10: found the key 'a' twice"),
+            ('{"a": "\\q"}', "line 1, column 8: found the escape \\q, expected one of"),
+            ('{"a": "\t"}', "line 1, column 8: found the control character \\t in a text"),
+            (b'{"a": "\xff"}', "line 1, column 8: found the byte 0xff, which is not UTF-8, expected text in UTF-8"),
+            (b"\xff\xfe{\x00", "line 1, column 1: found text in UTF-16, expected text in UTF-8"),
+            ("[" * 100, "line 1, column 65: found lists or objects nested too deeply, expected at most 64 levels"),
+        ):  # fmt: skip
+            with self.subTest(text=text):
+                path = self.write("broken.json", text)
+                self.refuse("study", path, "-o", self.old, words=(f"sphverify: {path}: ", said))
+
+    def test_a_byte_order_mark_is_taken(self):
+        path = self.write("marked.json", b"\xef\xbb\xbf" + json.dumps(small_study()).encode())
+        self.succeed("study", path)
+
+    def test_an_unknown_key_is_named_before_a_missing_one(self):
+        for document, keys in (
+            (without(small_study(), ["schema"]) | {"shcema": "sphverify-study/1"}, ("study", "shcema")),
+            (without(small_study(), ["name"]) | {"nmae": "small"}, ("study", "nmae")),
+            (without(small_study(), ["name"]) | {"discretisation": {"desnity": "given"}},
+             ("study", "discretisation.desnity")),
+            ({"schema": "sphverify-state/1", "dimensoin": 1}, ("evaluate", "dimensoin")),
+            ({"schema": "sphverify-state/1", "dimension": 1, "particles": {"positoin": [0.1]}},
+             ("evaluate", "particles.positoin")),
+        ):  # fmt: skip
+            with self.subTest(document=document):
+                path = self.write("bad.json", document)
+                self.refuse(keys[0], path, words=(f"{path}: {keys[1]}: found an unknown key",))
+
+    def test_nothing_that_the_input_holds_reaches_the_terminal_raw(self):
+        escape = "\x1b[31m\x07\n\x9b"
+        path = self.write("bad.json", small_study(cases=[escape]))
+        self.refuse("study", path, words=("cases[0]: found '\\u001b[31m\\u0007\\n\\u009b'",))
+        path = self.write("bad.json", small_study() | {escape: 1})
+        self.refuse("study", path, words=("\\u001b[31m\\u0007\\n\\u009b: found an unknown key",))
+        path = self.write("bad.json", small_study(formulations=[{"id": "conduction/brookshaw", "walls": escape}]))
+        self.refuse("study", path, words=("\\u001b",))
+        for arguments in (("describe", escape), (escape,), ("study", f"no{escape}file"), ("list", escape),
+                          ("exact", "hydro/noh", "--time", "0", "--points", escape),
+                          ("exact", "hydro/noh", "--time", "0", "--points", "0", "--parameter", escape)):  # fmt: skip
+            with self.subTest(arguments=arguments):
+                self.refuse(*arguments, words=("\\u001b",))
+                self.assertNotRegex(self.run_program(*arguments).stderr.rstrip("\n"), "[\x00-\x1f\x7f-\x9f]")
+
+    def test_names_in_results_reach_a_table_in_a_printable_form(self):
+        results = self.study(small_study(), "good.json")
+        results["series"][0]["label"] = "conduction/\x1b[31mred"
+        text = self.succeed("compare", self.write("red.json", results))
+        self.assertNotIn("\x1b[31m", text)
+
     def test_a_key_given_twice_is_refused(self):
         text = json.dumps(small_study())
         path = self.write("twice.json", text.replace('"resolution"', '"resolution": 10, "resolution"'))

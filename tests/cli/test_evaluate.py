@@ -101,6 +101,29 @@ class InputAndOutput(ProgramTest):
         line = f"{path}: walls: they do not close: nothing bounds the particles towards [1.0]\n"
         self.assertEqual(result.stderr, line)
 
+    def test_smoothing_lengths_that_make_no_sense_are_remarked(self):
+        self.assertEqual(strict_json(self.expected)["remarks"], [])
+        count = len(self.state["particles"]["position"])
+        for h, said in ((1e-9, f"{count} of {count} particles have no other within their support, 2h = 2e-09 m"),
+                        (1e9, "the support, 2h = 2e+09 m, is wider than all particles together")):  # fmt: skip
+            self.state["particles"]["smoothing_length"] = h
+            path = self.write("absurd.json", self.state)
+            result = self.run_program("evaluate", path)
+            self.assertEqual(result.returncode, 0)
+            self.assert_valid("sphverify-rates-1", strict_json(result.stdout))
+            self.assertEqual(len(strict_json(result.stdout)["remarks"]), 1)
+            self.assertIn(said, strict_json(result.stdout)["remarks"][0])
+            self.assertTrue(result.stderr.startswith(f"{path}: particles.smoothing_length: {said}"), result.stderr)
+            self.assertEqual(result.stderr.count("\n"), 1)
+
+    def test_rates_that_are_no_numbers_are_null_with_a_reason(self):
+        self.state["particles"]["pressure"][3] = 1.5e308
+        self.state["particles"]["mass"][3] = 1e300
+        document = strict_json(self.succeed("evaluate", "-", text=json.dumps(self.state)))
+        self.assert_valid("sphverify-rates-1", document)
+        self.assertIsNone(document["rates"]["momentum/p-rho2"]["acceleration"])
+        self.assertRegex(document["rates"]["momentum/p-rho2"]["reason"], "acceleration of particle [0-9]+ is not finite")
+
     def test_every_scheme_has_its_control_without_walls(self):
         rates = strict_json(self.expected)["rates"]
         schemes = {scheme for scheme in rates if not scheme.endswith("-no-walls")}

@@ -14,7 +14,7 @@ import struct
 import termios
 import unittest
 
-from program import DONE, PROGRAM_ERROR, ProgramTest, environment, small_study, strict_json
+from program import DONE, PROGRAM_ERROR, USER_ERROR, ProgramTest, environment, small_study, strict_json
 
 STUDY = small_study(
     discretisation={
@@ -218,11 +218,42 @@ class OffATerminal(ProgramTest):
     def test_a_study_of_which_nothing_can_run_says_so_and_why(self):
         study = self.write("study.json", small_study(formulations=["momentum/p-rho2", "momentum/sqrt-p"]))
         result = self.run_program("study", study)
+        self.assertEqual(result.returncode, USER_ERROR)
+        results = strict_json(result.stdout)
+        self.assertEqual((len(results["skipped"]), results["runs"]), (2, []))
+        self.assertEqual(
+            result.stderr,
+            f"sphverify: {study}: formulations: found nothing to run: all of its 2 combinations are skipped (the first: "
+            "momentum/p-rho2 on conduction/slab-dirichlet: a momentum form has no rate on a "
+            "conduction case), expected a combination that makes sense\n",
+        )
+        # The document that says so is there, and no journal is left.
+        result = self.run_program("study", study, "-o", self.folder / "results.json")
+        self.assertEqual(result.returncode, USER_ERROR)
+        self.assertEqual(len(strict_json((self.folder / "results.json").read_text())["skipped"]), 2)
+        self.assertEqual([path.name for path in self.folder.glob("*.journal")], [])
+
+    def test_a_support_wider_than_the_domain_is_remarked(self):
+        wide = small_study(resolution=[10, 40], discretisation={"smoothing_ratio": 5.0})
+        study = self.write("study.json", wide)
+        result = self.run_program("study", study, "-o", self.folder / "results.json")
         self.assertEqual(result.returncode, DONE)
-        self.assertEqual(len(strict_json(result.stdout)["skipped"]), 2)
-        lines = result.stderr.splitlines()
-        self.assertIn("a momentum form has no rate on a conduction case", lines[0])
-        self.assertEqual(lines[-1], "nothing ran: every combination of study 'small' is skipped, for the reasons above")
+        remark = "support wider than the domain: 2 m against 1 m along axis 1"
+        self.assertIn(f"remark: 1 of 2 runs: {remark}\n", result.stderr)
+        runs = strict_json((self.folder / "results.json").read_text())["runs"]
+        self.assertEqual([run["remarks"] for run in runs], [[remark], []])
+
+    def test_what_is_not_known_of_the_time_error_is_said(self):
+        study = self.write("study.json", small_study(measure=["conservation"], cases=["hydro/acoustic"],
+                                                     formulations=["momentum/p-rho2"], discretisation=None))  # fmt: skip
+        results = strict_json(self.succeed("study", study))
+        for run in results["runs"]:
+            self.assertIsNone(run["integration"]["time_error_share"])
+            self.assertIn("not asked for", run["integration"]["remark"])
+        results = strict_json(self.succeed("study", self.write("study.json", small_study())))
+        for run in results["runs"]:
+            self.assertIsNotNone(run["integration"]["time_error_share"])
+            self.assertEqual(run["integration"]["remark"], "")
 
     def test_how_runs_ended_is_said_unless_all_are_ok(self):
         for budget, said in ((1e-9, ["of 3 runs 0 ok, 3 timed-out"]), (60, [])):

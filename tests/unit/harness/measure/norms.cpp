@@ -6,6 +6,7 @@
 
 #include "cases/support/boxes.hpp"
 #include "formulations/support/layout.hpp"
+#include "reports/extremes.hpp"
 #include "tests/support/random_particles.hpp"
 
 BOOST_AUTO_TEST_SUITE(harness_measure_norms)
@@ -74,6 +75,46 @@ BOOST_AUTO_TEST_CASE(a_shifted_field_scores_the_shift_in_every_norm_whatever_the
       BOOST_TEST(e.linf == 0.25, tolerance(1e-13));
     }
   }
+}
+
+BOOST_AUTO_TEST_CASE(one_value_or_weight_that_is_no_number_leaves_no_norm) {
+  List const fine = random_list(9, -1.0, 1.0, 11);
+  List const weights = random_list(9, 0.5, 1.0, 12);
+  auto const is_nothing = [](NormSet const& n) {
+    return std::isnan(n.l1) && std::isnan(n.l2) && std::isnan(n.linf);
+  };
+  for (double const bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                           -std::numeric_limits<double>::infinity()}) {
+    for (std::size_t const at : {0u, 4u, 8u}) {
+      List broken = fine;
+      broken[at] = bad;
+      BOOST_TEST(is_nothing(norms(broken, weights)));
+      BOOST_TEST(is_nothing(error_of(broken, fine, weights)));
+      BOOST_TEST(is_nothing(error_of(fine, broken, weights)));
+      List broken_weights = weights;
+      broken_weights[at] = bad;
+      BOOST_TEST(is_nothing(norms(fine, broken_weights)));
+    }
+    BOOST_TEST(is_nothing(norms(List(9, bad), weights)));
+  }
+  // A region that does not hold it has its norms.
+  List broken = fine;
+  broken[8] = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Region> const regions{{"all", {0, 4, 8}}, {"part", {0, 4}}};
+  FieldErrors const errors = field_errors({broken}, {fine}, weights, regions, 0.0);
+  BOOST_TEST(is_nothing(errors.at("all").error));
+  BOOST_TEST(errors.at("part").error.linf == 0.0);
+}
+
+BOOST_AUTO_TEST_CASE(the_larger_of_what_is_not_known_is_not_known) {
+  double const nothing = std::numeric_limits<double>::quiet_NaN();
+  BOOST_TEST(larger(1.0, 2.0) == 2.0);
+  BOOST_TEST(smaller(1.0, 2.0) == 1.0);
+  for (double const a :
+       {larger(1.0, nothing), larger(nothing, 1.0), smaller(1.0, nothing), smaller(nothing, 1.0)})
+    BOOST_TEST(std::isnan(a));
+  BOOST_TEST((larger_if_known(Number(1.0), Number(3.0)) == Number(3.0)));
+  BOOST_TEST(!larger_if_known(Number(1.0), Number()).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(norms_are_those_of_the_definition) {

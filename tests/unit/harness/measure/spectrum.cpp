@@ -64,10 +64,40 @@ BOOST_AUTO_TEST_CASE(the_stable_step_is_that_of_the_mode_that_allows_least) {
 }
 
 BOOST_AUTO_TEST_CASE(a_fast_mode_that_is_hardly_known_leaves_no_stable_step) {
-  Stability const s = stability_of(complete({{-1e-5, 0.0}, {-1.0, 0.0}}, 2.0));
+  Stability const s = stability_of(complete({{-0.05, 0.0}, {-1.0, 0.0}}, 0.08));
   BOOST_TEST(!s.largest_stable_step.has_value());
   BOOST_TEST(s.remark == "a fast mode is not known well enough");
-  BOOST_TEST(*stability_of(complete({{-1e-5, 0.0}, {-1.0, 0.0}}, 0.5)).largest_stable_step == 2.0);
+  BOOST_TEST(*stability_of(complete({{-1e-5, 0.0}, {-1.0, 0.0}}, 0.05)).largest_stable_step == 2.0);
+}
+
+BOOST_AUTO_TEST_CASE(whether_modes_grow_that_may_be_off_by_as_much_as_they_are_is_not_known) {
+  for (double const uncertainty : {0.2, 1.0, 300.0}) {
+    Spectrum one = complete({{-0.01, 1.0}, {-0.01, -1.0}, {-0.5, 0.0}}, 1e-12);
+    one.uncertainty[2] = uncertainty;
+    Stability const s = stability_of(one);
+    BOOST_TEST(!s.growing_modes.has_value());
+    BOOST_TEST(!s.spectral_abscissa.has_value());
+    BOOST_TEST(!s.abscissa_uncertainty.has_value());
+    BOOST_TEST(s.remark.starts_with("whether a mode grows is not known"), s.remark);
+    BOOST_TEST(*s.spectral_radius == std::hypot(0.01, 1.0));
+    // That another grows for sure is known all the same.
+    one.eigenvalues[0] = {0.5, 0.0};
+    BOOST_TEST(*stability_of(one).growing_modes == 1u);
+  }
+  BOOST_TEST(*stability_of(complete({{-0.01, 1.0}, {-0.01, -1.0}}, 0.05)).growing_modes == 0u);
+}
+
+BOOST_AUTO_TEST_CASE(an_operator_that_is_no_number_has_no_spectrum_and_says_so) {
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(4, 4);
+  matrix(2, 1) = std::numeric_limits<double>::quiet_NaN();
+  DependencyPattern const pattern{{0, 1, 2}, {0, 1}};
+  for (Spectrum const& found :
+       {dense_spectrum(matrix, 0.0),
+        outer_spectrum(pattern, {-1.0, std::numeric_limits<double>::infinity()}, 0.0)}) {
+    Stability const s = stability_of(found);
+    BOOST_TEST(s.remark == "the linearised rate is not finite");
+    BOOST_TEST((!s.growing_modes && !s.spectral_abscissa && !s.spectral_radius && !s.largest_stable_step));
+  }
 }
 
 BOOST_AUTO_TEST_CASE(a_mode_that_grows_leaves_no_stable_step) {

@@ -86,11 +86,14 @@ RunRecord full_run() {
   stability.modes = {Mode{-1.0, 2.0, std::nullopt, 0.4, {0.3, 0.4}}};
   stability.remark = "a mode grows";
   r.stability = stability;
-  r.second_law = SecondLaw{{0.11, 0.12, {0.13}}, {0.0, 0.0, {}}, {0.14, 0.15, {0.16}}, -0.17, "entropy fell"};
-  r.integration = Integration{"bdf", 1e-6, 2e-6, 0.5, 7e-9, 0.003};
+  r.second_law = SecondLaw{{0.11, 0.12, {0.13}}, {0.0, 0.0, {}}, {0.14, 0.15, {0.16}}, -0.17, "entropy fell", 385};
+  r.integration = Integration{"bdf", 1e-6, 2e-6, 0.5, 7e-9, 0.003, "an upper bound"};
+  r.remarks = {"support wider than the domain", "another"};
   r.smallest_face_weight = Number(-0.3);
   Profile profile;
   profile.position = {{0.1, 0.2}, {0.3, 0.4}};
+  profile.weight = {0.25, 0.75};
+  profile.regions = {{"all", {0, 1}}, {"wall", {1}}};
   profile.computed["velocity"] = {{1.0, 2.0}, {3.0, 4.0}};
   profile.exact["velocity"] = {{1.5, 2.5}, {3.5, 4.5}};
   r.profile = profile;
@@ -145,6 +148,23 @@ Results full_results() {
   results.series = {series};
   results.skipped = {{"c", "f", "no sense"}};
   return results;
+}
+
+BOOST_AUTO_TEST_CASE(numbers_in_lists_that_are_not_finite_are_null_and_read_again) {
+  RunRecord r = full_run();
+  double const nothing = std::numeric_limits<double>::quiet_NaN();
+  r.profile->exact["velocity"][1][0] = nothing;
+  r.profile->weight[0] = std::numeric_limits<double>::infinity();
+  r.history->energy[1] = nothing;
+  r.spectrum[0][1] = nothing;
+  Json const json = to_json(r);
+  BOOST_TEST(json.at("profile").at("exact").at("velocity")[1][0].is_null());
+  BOOST_TEST(json.at("profile").at("weight")[0].is_null());
+  RunRecord const again = read_run(Node(json, "f"));
+  BOOST_TEST(std::isnan(again.profile->exact.at("velocity")[1][0]));
+  BOOST_TEST(std::isnan(again.profile->weight[0]));
+  BOOST_TEST(std::isnan(again.history->energy[1]));
+  BOOST_TEST(to_json(again).dump() == json.dump());
 }
 
 BOOST_AUTO_TEST_CASE(a_run_with_everything_reads_back_as_the_same_document) {

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formulations/support/particles.hpp"
+#include "harness/measure/norms.hpp"
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+/// A field of a run and what it should be, component by component with one value per particle each: what
+/// errors are taken of, and what a profile holds. Refers to values that others keep.
+struct ComparedField {
+  std::string_view name;
+  std::vector<std::span<double const>> computed, exact;
+};
+
+/// Ends a run that was ok so far as `non-finite`, if something is not.
+/// @param why empty: all is finite
+void mark_not_finite(RunRecord& record, std::string const& why);
+
+/// Marks a run of which a field that errors are taken of is no number, or its exact counterpart or a weight
+/// where errors are taken.
+void require_finite(RunRecord& record, std::vector<ComparedField> const& fields,
+                    std::span<double const> weights, std::vector<Region> const& regions);
+
+/// Marks a run of which a wall's flux or a budget is no number though all fields are.
+void require_finite_budgets(RunRecord& record);
+
+/// What the errors of a run are taken from.
+template <int Dim>
+Profile make_profile(Particles<Dim> const& particles, std::vector<ComparedField> const& fields,
+                     std::vector<double> const& weights, std::vector<Region> const& regions);
+
+/// Largest change of a run by time stepping relative to its error, over regions and norms; changes within
+/// round-off do not count. NaN where one of them is.
+double time_error_share(FieldErrors const& change, FieldErrors const& error);
+
+/// Records the change of the leading field and that share; what is no number is left out and said.
+void put_time_error(double change, double share, Integration& integration);
+
+inline constexpr char const* no_time_error_because_it_broke = "the run broke: nothing was compared";
+
+}  // namespace sphverify

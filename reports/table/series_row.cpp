@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "reports/leading_fields.hpp"
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/second_law_watched.hpp"
@@ -15,9 +16,6 @@
 namespace sphverify {
 
 namespace {
-
-/// The field that a case is about.
-constexpr std::array<char const*, 4> leading_fields{"temperature", "velocity", "acceleration", "heating"};
 
 void raise(Number& largest, double value) { largest = std::max(largest.value_or(value), value); }
 

@@ -19,10 +19,10 @@ struct SurfaceCell {
   double spacing = 0.0;          ///< dx [m]
   double particles = 0.0;        ///< in all, mean over the replicates
   int replicates = 0;
-  std::optional<double> error;              ///< mean over the replicates; empty if one of them failed
-  std::optional<double> spread;             ///< their standard deviation; empty for fewer than two
-  std::optional<double> fitted;             ///< the law's error here; empty without a law
-  std::optional<double> seconds;            ///< wall time of a run, mean
+  std::optional<double> error;    ///< mean over the replicates; empty if one of them failed
+  std::optional<double> spread;   ///< their standard deviation; empty for fewer than two
+  std::optional<double> fitted;   ///< the law's error here; empty without a law
+  std::optional<double> seconds;  ///< processor time of a run (with several threads wall time), mean
   std::optional<double> pair_interactions;  ///< of a run, mean
 };
 

@@ -12,6 +12,7 @@
 
 #include "formulations/support/fork_join.hpp"
 #include "harness/measure/series.hpp"
+#include "harness/measure/surface.hpp"
 #include "harness/study/available_memory.hpp"
 #include "harness/study/context.hpp"
 #include "harness/study/expand.hpp"
@@ -164,7 +165,10 @@ void run_study(Study const& study, StudyOptions const& options) {
     });
   }
   for (auto& unit : records) std::move(unit.begin(), unit.end(), std::back_inserter(results.runs));
-  if (!study.envelope) results.series = build_series(results.runs);
+  if (!study.envelope) {
+    results.series = build_series(results.runs);
+    results.surfaces = build_surfaces(results.runs);
+  }
   write_document(options.output, document_text(to_json(results)));
   if (journal) journal->remove();
   if (units == 0) {

@@ -7,6 +7,7 @@
 #include "reports/table/series_tables.hpp"
 #include "reports/table/summary_numbers.hpp"
 #include "reports/table/summary_text.hpp"
+#include "reports/table/surface_table.hpp"
 
 namespace sphverify {
 
@@ -52,6 +53,10 @@ std::vector<Section> const& sections() {
       {"envelopes", "envelopes", "how far a parameter could be driven", envelopes_text,
        [](Comparison const& c) { return envelopes_csv(envelopes_of(c)); },
        [](Comparison const& c) { return envelopes_json(envelopes_of(c)); }, envelopes_legend},
+      {"surface", "surfaces", "which h/dx is best at which N, and the cheapest path",
+       [](Comparison const& c) { return surfaces_text(surface_rows(c.documents), c.options); },
+       [](Comparison const& c) { return surfaces_csv(surface_rows(c.documents)); },
+       [](Comparison const& c) { return surfaces_json(surface_rows(c.documents)); }, surface_legend},
       {"changes", "changes", "of every document against the first", all_changes_text,
        [](Comparison const& c) { return changes_csv(all_changes_of(c)); },
        [](Comparison const& c) { return changes_json(all_changes_of(c)); },

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "reports/extremes.hpp"
+#include "reports/leading_fields.hpp"
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/second_law_watched.hpp"
@@ -16,9 +17,6 @@
 namespace sphverify {
 
 namespace {
-
-/// The field that a case is about.
-constexpr std::array<char const*, 4> leading_fields{"temperature", "velocity", "acceleration", "heating"};
 
 /// A number that is none stays.
 void raise(Number& largest, double value) { largest = larger(largest.value_or(value), value); }

@@ -210,6 +210,37 @@ class RealDocuments(ProgramTest):
         for row in table["series"]:
             self.assertTrue(row["low_seconds"] <= row["median_seconds"] <= row["high_seconds"])
 
+    def test_a_grid_over_resolution_and_smoothing_ratio_has_a_surface(self):
+        layouts = ["lattice", {"id": "jittered", "amplitude": 0.1, "seeds": [1, 2]}]
+        ratios = [0.95, 1.1, 1.3, 1.7, 2.3]
+        grid = small_study(formulations=CONDUCTION,
+                           discretisation={"layout": layouts, "smoothing_ratio": ratios},
+                           resolution=[8, 12, 16, 24], measure=["error", "cost"])  # fmt: skip
+        results = self.check_results(grid)
+        fields = {(s["formulation"], s["discretisation"]["layout"] == "lattice", s["field"])
+                  for s in results["surfaces"]}  # fmt: skip
+        self.assertEqual(len(fields), len(results["surfaces"]))
+        # The flux forms have a flux beside their temperature.
+        self.assertEqual(len(fields), 2 * (1 + 2 + 2))
+        for surface in results["surfaces"]:
+            self.assertEqual([b["resolution"] for b in surface["best"]], [8, 12, 16, 24])
+            self.assertEqual([(c["resolution"], c["smoothing_ratio"]) for c in surface["cells"]],
+                             [(n, r) for n in (8, 12, 16, 24) for r in ratios])  # fmt: skip
+            for best in surface["best"]:
+                cells = [c for c in surface["cells"] if c["resolution"] == best["resolution"]]
+                self.assertEqual(best["grid_error"], min(c["error"] for c in cells))
+            self.assertTrue(surface["reason"])
+            self.assertEqual(surface["law"] is None, surface["model"] is None)
+        self.assertTrue(any(surface["law"] for surface in results["surfaces"]))
+        compared = strict_json(self.succeed("compare", "results.json", "--format", "json"))
+        self.assert_valid("sphverify-comparison-1", compared)
+        self.assertEqual([s["surface"] for s in compared["surfaces"]], results["surfaces"])
+        text = self.succeed("compare", "results.json", "--section", "surface")
+        self.assertIn("Which h/dx at which N: l2 error of temperature, region all", text)
+        csv = self.succeed("compare", "results.json", "--section", "surface", "--format", "csv").splitlines()
+        self.assertEqual(len(csv), 1 + 4 * len(results["surfaces"]))
+        self.assertNotIn("surfaces", self.check_results(small_study()))
+
     def test_few_repeats_have_a_median_but_no_interval(self):
         results = self.check_results(small_study(repeat={"most": 3}))
         for run in results["runs"]:

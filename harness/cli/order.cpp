@@ -86,9 +86,10 @@ void add_order(CLI::App& app) {
   auto command = std::make_shared<OrderCommand>();
   CLI::App* sub = app.add_subcommand("order", "Order of convergence, floor and verdict of anybody's errors");
   sub->add_option("TABLE.csv", command->table,
-                  "Comma-separated: a line of names, N (particles along an axis) or spacing\n"
-                  "among them, seed if there are replicates, every other an error; - is\n"
-                  "standard input")
+                  "Comma-separated: a line of names, N (particles\n"
+                  "along an axis) or spacing among them, seed if there\n"
+                  "are replicates, every other an error (empty or nan:\n"
+                  "the run failed); - is standard input")
       ->required();
   sub->add_option("--format", command->format, "table or json")->check(CLI::IsMember({"table", "json"}));
   sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")

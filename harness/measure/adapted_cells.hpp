@@ -28,7 +28,8 @@ std::vector<Cell> adapted_cells(double lower, double upper, LogFunction const& l
   };
   double const width = (upper - lower) / static_cast<double>(first);
   for (std::size_t k = 0; k < first; ++k) add(lower + (static_cast<double>(k) + 0.5) * width, width);
-  while (cells.size() < most) {
+  // Where the function is 0 everywhere there is nothing to follow.
+  while (cells.size() < most && std::isfinite(cells.front().log_mass)) {
     double total = 0.0;
     for (Cell const& cell : cells) total += std::exp(cell.log_mass - cells.front().log_mass);
     if (enough * total >= 1.0) break;

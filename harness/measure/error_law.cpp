@@ -17,7 +17,9 @@ namespace {
 // What is thought of the laws before the levels are seen. Orders are uniform over `orders`, the next term's
 // logarithm at the coarsest level is Cauchy's with `next_scale`, the floor's odds at the finest level are
 // uniform in their logarithm.
-constexpr double lowest_order = -3.0, highest_order = 8.0, lowest_order_on_a_floor = 0.05;
+// With p near 0 a next term is a floor under another name: F + A d is F (1 + c d).
+constexpr double lowest_order = -3.0, highest_order = 8.0;
+constexpr double lowest_order_on_a_floor = 0.05, lowest_order_of_next_term = 0.2;
 constexpr double next_scale = 0.2, next_limit = 3.0;
 constexpr double alternation_scale = 0.3, alternation_limit = 4.0;
 constexpr double lowest_log_odds = -7.0, highest_log_odds = 17.0;
@@ -125,7 +127,7 @@ Family next_term(Points const& points, LawKind kind, double q) {
   double const coarsest = std::exp(q * points.x.front());
   auto const c = [coarsest](double u) { return std::expm1(next_scale * std::tan(u)) / coarsest; };
   return {kind,
-          lowest_order,
+          lowest_order_of_next_term,
           {-end, end},
           [line = LineFit(points), &points, c, q](double u) {
             return line([&](std::size_t i) { return std::log1p(c(u) * std::exp(q * points.x[i])); });
@@ -218,6 +220,7 @@ LawEvidence weigh(Family const& family, Points const& points, Marginals const& m
   };
   std::vector<Member> members;
   auto const log_weight = [&](Fit const& fit) {
+    if (fit.slope < family.lowest_order) return -std::numeric_limits<double>::infinity();
     // Where the levels hardly tell the order, its prior is all there is.
     double const prior_alone = order_not_told(fit.rss);
     if (!(fit.information > 0.0)) return prior_alone;
@@ -239,6 +242,10 @@ LawEvidence weigh(Family const& family, Points const& points, Marginals const& m
   for (Member const& m : members) {
     top = std::max(top, m.log_weight);
     if (m.fit.rss < best->fit.rss) best = &m;
+  }
+  if (!std::isfinite(top)) {  // no member of the family has an order that it may have
+    log_evidence = top;
+    return evidence;
   }
   double total = 0.0;
   for (Member const& m : members) total += std::exp(m.log_weight - top);

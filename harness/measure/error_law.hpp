@@ -25,8 +25,8 @@ enum class LawKind {
   floor,        ///< F + A d^p
   alternation   ///< A d^p, times b and 1/b in turn
 };
-inline constexpr std::array law_kinds{LawKind::power, LawKind::next_first, LawKind::next_second, LawKind::floor,
-                               LawKind::alternation};
+inline constexpr std::array law_kinds{LawKind::power, LawKind::next_first, LawKind::next_second,
+                                      LawKind::floor, LawKind::alternation};
 std::string_view name_of(LawKind kind);
 
 /// What the levels say of one law.
@@ -43,7 +43,8 @@ struct LawEvidence {
 
 /// Weighs the laws by Bayes' rule: the scatter of the logarithms about the law is normal and alike for all
 /// levels; of replicates it is known from them, but for a part that all replicates of a level share. A and
-/// the order are integrated exactly or on adapted cells, the scatter on a grid (docs/decisions/0009).
+/// the order are integrated in closed form (on a floor the order is linearised about its best value), the
+/// shape on adapted cells, the scatter on a grid (docs/decisions/0009).
 /// @param levels coarse to fine, two or more, spacings different
 std::vector<LawEvidence> weigh_laws(std::vector<LevelError> const& levels);
 

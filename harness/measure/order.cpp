@@ -18,15 +18,16 @@ interval   of p, all laws together: holds the truth in 95% of ladders or more. T
            order without an interval
 floor      F with its interval, where the levels tell that there is one
 targets    the N at which the likeliest law comes down to an error, or that it never does
-left out   levels whose error is at the run's `round_off`, and those before the signed error last
-           passed through zero: they say nothing of the order
+left out   levels whose error is at the run's `round_off`, and those before the signed error passed
+           through zero, if it did so once: they say nothing of the order
 not-refined    fewer than three spacings, a finest level that ran out of time, or an error that does
                not change at all (below 1 part in 1e6)
 floored        the error reached round-off; or most of the finest error is a floor, at 95%
                confidence; or the order at the finest level is surely below 1/4 (of what the
-               solution allows, if that is less than 1) either way
+               solution allows, if that is less than 1) and above -1/4, unless it is known as
+               well as an asymptotic one: then pre-asymptotic
 diverging      a run of the finest level broke; or the order at the finest level is surely
-               negative; or the finest error is by far the largest
+               negative, and not within 1/4 of 0; or the finest error is by far the largest
 asymptotic     at least four levels, an order known to 0.1 or a quarter of itself, which is what the
                finest levels show (within a fifth), is surely positive and not surely above
                what the solution allows, and no floor that holds half of the finest error
@@ -44,11 +45,12 @@ constexpr double known_absolutely = 0.1, known_relatively = 0.25;
 constexpr double told_absolutely = 1.0, told_relatively = 0.5;
 constexpr double settled = 0.2;
 constexpr double sure = 0.95;
+constexpr double not_refused = 0.1;  // probability of a law
 constexpr double floor_told = 0.97;
 constexpr double least_floor_share = 0.05;
 constexpr double unchanged = 1e-6;
 constexpr double far_largest = 1.5;
-constexpr double signed_part = 0.3;
+constexpr double signed_part = 0.3, least_signed_part = 0.1;
 constexpr double above_allowed = 0.1;
 constexpr double time_remark = 0.1;
 constexpr std::size_t least_levels = 4, least_levels_alternating = 6;
@@ -67,16 +69,33 @@ LevelError level_error(LadderLevel const& level) {
   return {level.spacing, average, static_cast<int>(level.errors.size()), squares};
 }
 
-/// A place between levels at which the signed error changes sign while it is a good part of the error.
-std::size_t last_sign_change(std::vector<LadderLevel const*> const& levels) {
-  std::size_t last = 0;
-  auto const part = [](LadderLevel const& level) { return std::abs(*level.mean) / mean(level.errors); };
-  for (std::size_t k = 1; k < levels.size(); ++k) {
-    if (!levels[k]->mean || !levels[k - 1]->mean) continue;
-    bool const changes = (*levels[k]->mean < 0.0) != (*levels[k - 1]->mean < 0.0);
-    if (changes && std::max(part(*levels[k]), part(*levels[k - 1])) >= signed_part) last = k;
+/// The levels that say something of the order.
+struct UsedLevels {
+  std::vector<LadderLevel const*> above_round_off;
+  std::size_t sign_changes = 0;  ///< of the mean error where it is a good part of the error on both sides
+  std::size_t first = 0;         ///< of those above round-off, the first that is fitted
+};
+
+/// A passage of the signed error through zero makes its norm dip: levels before it are left out. An error
+/// that changes its sign at every other step or more swings about its law, and counts as scatter.
+UsedLevels used_levels(std::vector<LadderLevel> const& levels) {
+  UsedLevels used;
+  for (LadderLevel const& level : levels) {
+    if (!level.errors.empty() && mean(level.errors) > level.round_off) used.above_round_off.push_back(&level);
   }
-  return last;
+  auto const& all = used.above_round_off;
+  auto const part = [](LadderLevel const& level) { return std::abs(*level.mean) / mean(level.errors); };
+  std::size_t last = 0;
+  for (std::size_t k = 1; k < all.size(); ++k) {
+    if (!all[k]->mean || !all[k - 1]->mean || (*all[k]->mean < 0.0) == (*all[k - 1]->mean < 0.0)) continue;
+    auto const [smaller, larger] = std::minmax({part(*all[k]), part(*all[k - 1])});
+    if (larger < signed_part || smaller < least_signed_part) continue;
+    ++used.sign_changes;
+    last = k;
+  }
+  bool const swings = used.sign_changes > 1 && 2 * used.sign_changes >= all.size() - 1;
+  if (!swings) used.first = last;
+  return used;
 }
 
 /// What the laws say together.
@@ -118,9 +137,30 @@ bool goes_up_and_down(std::vector<LevelError> const& levels) {
   return true;
 }
 
+/// Of the order: what the laws say together, and at least what each law says alone that the levels do not
+/// refuse.
+Interval order_interval(std::vector<LawEvidence> const& laws, Knowledge const& known) {
+  Interval interval(known.order);
+  for (LawEvidence const& law : laws) {
+    if (law.probability < not_refused) continue;
+    Interval const alone(law.order, 0.95);
+    interval.low = std::min(interval.low, alone.low);
+    interval.high = std::max(interval.high, alone.high);
+  }
+  return interval;
+}
+
 struct Judgement {
   std::string verdict, reason;
 };
+
+/// Whether the levels know how far they scatter about a floor: with one level to spare and no replicates, a
+/// law that goes through them may do so by chance.
+bool knows_scatter(std::vector<LevelError> const& levels, Knowledge const& known) {
+  bool const has_replicates =
+      std::any_of(levels.begin(), levels.end(), [](LevelError const& level) { return level.replicates > 1; });
+  return has_replicates || levels.size() > least_levels || known.floor->scatter < chance_scatter;
+}
 
 /// The verdict on levels that a law could be fitted to.
 Judgement judge(std::vector<LevelError> const& levels, Knowledge const& known, Interval const& order,
@@ -147,7 +187,8 @@ Judgement judge(std::vector<LevelError> const& levels, Knowledge const& known, I
   bool const is_settled = std::abs(local.middle - order.middle) <= settled * order.middle;
   if (order.low > 0.0 && is_known && is_settled && !may_be_floor && order.middle < plateau)
     return {"pre-asymptotic", "the error goes down steadily, but slowly"};
-  if (known.floor_holds(0.5) >= sure) return {"floored", "most of what is left is a floor"};
+  if (known.floor_holds(0.5) >= sure && knows_scatter(levels, known))
+    return {"floored", "most of what is left is a floor"};
   if (std::abs(local.low) < plateau && std::abs(local.high) < plateau)
     return {"floored", "refinement changes the error little"};
   if (local.high < 0.0) return {"diverging", "refinement raises the error"};
@@ -172,14 +213,6 @@ Judgement judge(std::vector<LevelError> const& levels, Knowledge const& known, I
   if (levels.size() < least_levels) return {"pre-asymptotic", "three levels: a verdict needs four"};
   return {"asymptotic", alternates ? "both halves of the levels, taken in turn, follow one order"
                                    : "the levels follow one order"};
-}
-
-/// Whether the levels know how far they scatter about a floor: with one level to spare and no replicates, a
-/// law that goes through them may do so by chance.
-bool knows_scatter(std::vector<LevelError> const& levels, Knowledge const& known) {
-  bool const has_replicates =
-      std::any_of(levels.begin(), levels.end(), [](LevelError const& level) { return level.replicates > 1; });
-  return has_replicates || levels.size() > least_levels || known.floor->scatter < chance_scatter;
 }
 
 void describe(std::vector<LevelError> const& levels, Knowledge const& known, Interval const& order,
@@ -209,15 +242,13 @@ ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderConte
     observed.reason = std::move(reason);
     return observed;
   };
-  std::vector<LadderLevel const*> used;
-  for (LadderLevel const& level : levels) {
-    if (!level.errors.empty() && mean(level.errors) > level.round_off) used.push_back(&level);
-  }
+  UsedLevels const selection = used_levels(levels);
+  auto const& used = selection.above_round_off;
   for (std::size_t k = 1; k < used.size(); ++k) {
     observed.pairwise.push_back(std::log(mean(used[k]->errors) / mean(used[k - 1]->errors)) /
                                 std::log(used[k]->spacing / used[k - 1]->spacing));
   }
-  std::size_t const sign_change = last_sign_change(used);
+  std::size_t const sign_change = selection.first;
   std::vector<LevelError> fitted;
   for (std::size_t k = sign_change; k < used.size(); ++k) fitted.push_back(level_error(*used[k]));
   bool const is_constant = [&] {
@@ -233,7 +264,7 @@ ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderConte
   if (fitted.size() >= 3 && !is_constant) {
     laws = weigh_laws(fitted);
     known.emplace(laws);
-    order.emplace(known->order);
+    order.emplace(order_interval(laws, *known));
     local.emplace(known->local_order);
     describe(fitted, *known, *order, observed);
   }
@@ -255,6 +286,9 @@ ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderConte
   }
   if (is_constant) return say("not-refined", "refinement changes nothing at all");
   Judgement judgement = judge(fitted, *known, *order, *local, context.allowed);
+  if (sign_change == 0 && selection.sign_changes > 1) {
+    judgement.reason += fmt::format("; the signed error changes its sign {} times", selection.sign_changes);
+  }
   if (!crossing.empty()) judgement.reason += "; " + crossing + ": levels before that are left out";
   if (context.time_error_share.value_or(0.0) > time_remark) {
     judgement.reason += fmt::format("; errors in time may be {:.0f}% of these",
@@ -264,14 +298,10 @@ ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderConte
 }
 
 LadderExtent extent_of(std::vector<LadderLevel> const& levels, double times_spacing) {
-  LadderExtent extent;
-  for (LadderLevel const& level : levels) {
-    if (level.errors.empty() || mean(level.errors) <= level.round_off) continue;
-    double const resolution = times_spacing / level.spacing;
-    if (extent.coarsest == 0.0) extent.coarsest = resolution;
-    extent.finest = resolution;
-  }
-  return extent;
+  UsedLevels const used = used_levels(levels);
+  if (used.first >= used.above_round_off.size()) return {};
+  return {times_spacing / used.above_round_off[used.first]->spacing,
+          times_spacing / used.above_round_off.back()->spacing};
 }
 
 TargetResolution resolution_for(ObservedOrder const& observed, double error, LadderExtent const& extent) {
@@ -281,7 +311,8 @@ TargetResolution resolution_for(ObservedOrder const& observed, double error, Lad
     target.remark = "never: the floor is above it";
     return target;
   }
-  if (!observed.law || observed.law->exponent <= 0.0 || observed.verdict == "diverging") {
+  bool const is_told = observed.order || observed.floor;
+  if (!is_told || !observed.law || observed.law->exponent <= 0.0 || observed.verdict == "diverging") {
     target.remark = "not known";
     return target;
   }
@@ -298,7 +329,7 @@ TargetResolution resolution_for(ObservedOrder const& observed, double error, Lad
     return target;
   }
   if (at(high) > error) {
-    target.remark = law.floor > error ? "never: the fitted floor is above it"
+    target.remark = law.floor > error ? "not known: a floor may be above it"
                                       : "not within a million times the finest resolution";
     return target;
   }

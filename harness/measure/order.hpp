@@ -28,8 +28,8 @@ struct LadderContext {
 ///
 /// Order and interval are the median and the central part of what the error laws of error_law.hpp say
 /// together, each with its probability. Levels whose error is at round-off say nothing of the order and are
-/// left out, and so are those before the signed error last passed through zero. The rules of the verdict are
-/// in `verdict_rules`, the reasons in docs/decisions/0009.
+/// left out, and so are those before the signed error passed through zero, if it did so once. The rules of
+/// the verdict are in `verdict_rules`, the reasons in docs/decisions/0009.
 /// @param levels coarse to fine
 ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderContext const& context = {});
 
@@ -39,8 +39,8 @@ struct LadderExtent {
   double coarsest = 0.0, finest = 0.0;
 };
 
-/// Of the levels that have an error above round-off; 0 and 0 where none has. Resolutions of a ladder go as
-/// 1/spacing.
+/// Of the levels that are fitted: those above round-off, after the signed error passed through zero; 0 and 0
+/// where there is none. Resolutions of a ladder go as 1/spacing.
 /// @param times_spacing resolution times spacing of any level
 LadderExtent extent_of(std::vector<LadderLevel> const& levels, double times_spacing);
 

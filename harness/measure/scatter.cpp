@@ -12,7 +12,7 @@ namespace {
 
 constexpr double lowest_log_sigma = -11.5;  // 1e-5
 constexpr double highest_log_sigma = 0.7;   // 2
-constexpr std::size_t grid = 27;
+constexpr std::size_t grid = 41;
 constexpr double log_sigma_step = (highest_log_sigma - lowest_log_sigma) / (grid - 1);
 constexpr double lowest_log_rss = -26.0, highest_log_rss = 9.0;
 constexpr std::size_t table_size = 141;

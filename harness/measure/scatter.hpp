@@ -8,7 +8,7 @@ namespace sphverify {
 struct LevelError;
 
 /// What is thought of the standard deviation of log(error) about its law, on a grid: uniform in its logarithm
-/// from 1e-5 to 1; with replicates, what their scatter says of their mean, alone or with such a part on top
+/// from 1e-5 to 2; with replicates, what their scatter says of their mean, alone or with such a part on top
 /// that all replicates of a level share.
 class Scatter {
  public:

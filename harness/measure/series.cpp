@@ -1,5 +1,7 @@
 #include "harness/measure/series.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -142,9 +144,11 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
     ladder.push_back(std::move(step));
   }
   entry.observed = observed_order(ladder, context);
-  if (allowed == 0.0 && entry.observed.verdict != "diverging" && levels.size() >= 3) {
+  bool const is_refined = levels.size() >= 3 && !ladder.back().out_of_time;
+  if (allowed == 0.0 && is_refined && entry.observed.verdict != "diverging") {
     entry.observed.verdict = "floored";
-    entry.observed.reason = "the solution jumps in this region: its maximum error cannot go down";
+    entry.observed.reason =
+        fmt::format("the solution jumps in this region: its {} error cannot go down", norm.name);
   }
   set_resolution_targets(levels, ladder, norm, entry);
   return entry;

@@ -59,15 +59,15 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
                        LayoutChoice const& layout, int resolution, double smoothing_ratio) {
   return std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
-        // Indices of neighbours, twice while a list is made. In moving lists a skin is included; where
-        // conduction is integrated a conductance is beside each index, and a second scene is set up to time
-        // the first.
-        double const per_pair = moves(kind) ? 14.5 : (kind == CaseKind::rates ? 8.0 : 24.0);
+        // Indices of neighbours, in part twice while a list is made. In moving lists a skin is included;
+        // where conduction is integrated a conductance is beside each index. Runs are timed one by one, each
+        // with a scene of its own after the measured one's is gone.
+        double const per_pair = moves(kind) ? 14.5 : (kind == CaseKind::rates ? 5.3 : 15.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
         double const copies = integrator == "leapfrog" ? 5.0 : 22.0;
         double const copied =
-            moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 30.0);
-        double const per_particle = 350.0 + 8.0 * copied;
+            moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 12.0);
+        double const per_particle = (moves(kind) ? 350.0 : 215.0) + 8.0 * copied;
         // Whom a wall's foot point interpolates from, more than once while it is found anew.
         double const per_interpolated = moves(kind) ? 30.0 : 8.0;
         double const neighbours = neighbours_per_particle<Dim>(smoothing_ratio);

@@ -394,8 +394,9 @@ class Compare(ProgramTest):
         self.assert_valid("sphverify-comparison-1", document)
 
     def test_a_study_without_runs_is_still_a_document_in_every_format(self):
-        self.study(small_study(formulations=["momentum/p-rho2"]), "nothing.json")
         nothing = self.folder / "nothing.json"
+        study = self.write("study-of-nothing.json", small_study(formulations=["momentum/p-rho2"]))
+        self.assert_user_error(self.run_program("study", study, "-o", nothing), "nothing to run")
         table = strict_json(self.succeed("compare", nothing, "--format", "json"))
         self.assertEqual(table["series"], [])
         rows = list(csv.reader(io.StringIO(self.succeed("compare", nothing, "--format", "csv"))))

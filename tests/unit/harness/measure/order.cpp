@@ -222,6 +222,20 @@ BOOST_AUTO_TEST_CASE(a_plain_first_order_ladder_is_asymptotic) {
   BOOST_TEST(resolution_for(observed, 0.05, {10, 320}).remark.empty());
 }
 
+BOOST_AUTO_TEST_CASE(a_clean_floor_is_told_however_much_of_the_error_it_holds) {
+  // A power of order 1 or 2 on a floor is also a floor of order 0 with a next term, which must not hide it.
+  for (double const order : {1.0, 2.0}) {
+    for (double const floor : {5.2e-3, 5.6e-3, 1e-2, 5e-2}) {  // a seventh of the finest error and more
+      std::vector<double> errors;
+      for (double const n : doublings(10, 6)) errors.push_back(floor + std::pow(10.0 / n, order));
+      ObservedOrder const observed = observed_at(doublings(10, 6), errors);
+      BOOST_TEST_REQUIRE(observed.floor.has_value(), "order " << order << ", floor " << floor);
+      BOOST_TEST(observed.floor->value == floor, tolerance(0.02));
+      BOOST_TEST(*observed.order == order, tolerance(0.02));
+    }
+  }
+}
+
 BOOST_AUTO_TEST_CASE(a_ladder_that_stops_at_once_is_floored_and_has_no_order) {
   ObservedOrder const observed = observed_at(doublings(10, 5), {1.01e-5, 9.9e-7, 1.08e-6, 1.08e-6, 1.19e-6});
   BOOST_TEST(observed.verdict == "floored");
@@ -269,6 +283,14 @@ BOOST_AUTO_TEST_CASE(a_signed_error_that_passes_through_zero_is_seen_and_said) {
   BOOST_TEST(later.verdict == "asymptotic");
   BOOST_TEST((*later.lower < 1.0 && *later.upper > 1.0));
   BOOST_TEST(later.reason.find("between levels 3 and 4") != std::string::npos);
+  // An error that swings about zero again and again keeps its levels.
+  Levels swinging = halving({1.0, 0.35, 0.123, 0.043, 0.0151, 0.0053});
+  double sign = 0.8;
+  for (LadderLevel& level : swinging) level.mean = (sign = -sign) * level.errors[0];
+  ObservedOrder const swings = observed_order(swinging);
+  BOOST_TEST(swings.verdict == "asymptotic");
+  BOOST_TEST((*swings.lower < 1.51 && *swings.upper > 1.51));
+  BOOST_TEST(swings.reason.find("changes its sign 5 times") != std::string::npos);
   // A mean that is a small part of the error says nothing.
   for (LadderLevel& level : levels) *level.mean *= 0.1;
   BOOST_TEST(observed_order(levels).reason.find("zero") == std::string::npos);
@@ -287,7 +309,8 @@ BOOST_AUTO_TEST_CASE(alternating_levels_do_not_diverge_and_six_of_them_tell_the_
   errors.insert(errors.end(), {2.69e-7, 3.97e-6});
   ObservedOrder const eight = observed_at(doublings(25, 8), errors);
   BOOST_TEST(eight.verdict == "asymptotic");
-  BOOST_TEST((*eight.lower < 1.0 && *eight.upper > 1.0));  // every other level falls fourfold over two doublings
+  BOOST_TEST(
+      (*eight.lower < 1.0 && *eight.upper > 1.0));  // every other level falls fourfold over two doublings
 }
 
 BOOST_AUTO_TEST_CASE(an_order_above_what_the_solution_allows_will_not_last) {
@@ -308,6 +331,7 @@ BOOST_AUTO_TEST_CASE(errors_in_time_of_a_tenth_or_more_are_said) {
 BOOST_AUTO_TEST_CASE(the_resolution_for_an_error_follows_the_fitted_law) {
   ObservedOrder observed;
   observed.verdict = "asymptotic";
+  observed.order = 2.0;
   observed.law = ErrorLaw{0.0, 0.01, 2.0, 0.0, 1.0};
   BOOST_TEST(*resolution_for(observed, 0.0025, {25, 100}).resolution == 200.0, tolerance(1e-9));
   BOOST_TEST(*resolution_for(observed, 0.04, {25, 100}).resolution == 50.0, tolerance(1e-9));
@@ -316,6 +340,9 @@ BOOST_AUTO_TEST_CASE(the_resolution_for_an_error_follows_the_fitted_law) {
   observed.law->floor = 0.002;
   BOOST_TEST(*resolution_for(observed, 0.0045, {25, 100}).resolution == 200.0, tolerance(1e-9));
   BOOST_TEST(!resolution_for(observed, 0.001, {25, 100}).resolution.has_value());
+  observed.order.reset();  // a law whose order nobody knows promises nothing
+  BOOST_TEST(resolution_for(observed, 0.0045, {25, 100}).remark == "not known");
+  observed.order = 2.0;
   observed.law.reset();
   BOOST_TEST(resolution_for(observed, 0.001, {25, 100}).remark == "not known");
 }

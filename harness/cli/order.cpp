@@ -93,9 +93,9 @@ void add_order(CLI::App& app) {
       ->required();
   sub->add_option("--format", command->format, "table or json")->check(CLI::IsMember({"table", "json"}));
   sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1e-300, 1e300));
   sub->add_option("--allowed", command->allowed, "Highest order that the solution allows; default: any")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1e-3, 100.0));
   sub->footer(
       "The rules: sphverify describe order\n"
       "Example: printf 'N,l2\\n10,0.195\\n20,0.11\\n40,0.0566\\n80,0.0285\\n' | sphverify order -");

@@ -17,7 +17,8 @@ namespace sphverify {
 
 namespace {
 
-constexpr double double_round_off = 1e-300;  // an error of 0 says nothing of the order
+constexpr double smallest = 1e-30, largest = 1e30;  // of N and spacings
+constexpr double double_round_off = 1e-300;         // an error of 0 says nothing of the order
 
 std::string trimmed(std::string const& text) {
   std::size_t const first = text.find_first_not_of(" \t\r");
@@ -69,6 +70,8 @@ Header read_header(std::vector<std::string> const& names, Place const& place) {
   std::set<std::string> seen;
   std::optional<std::size_t> spacing;
   for (std::size_t k = 0; k < names.size(); ++k) {
+    if (std::any_of(names[k].begin(), names[k].end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }))
+      place.complain("a name with control characters or letters beyond ASCII", "plain words");
     if (names[k].empty()) place.complain("a column without a name", "a name for each column");
     if (!seen.insert(names[k]).second) place.complain("'" + names[k] + "' twice", "a name for each column");
     if (names[k] == "seed") header.seed = k;
@@ -111,7 +114,8 @@ std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string cons
     }
     Place const of_spacing{file, number, header->names[header->spacing]};
     auto const given = number_in(cells[header->spacing], of_spacing);
-    if (!given || *given <= 0.0) of_spacing.complain("'" + cells[header->spacing] + "'", "a number above 0");
+    if (!given || *given < smallest || *given > largest)
+      of_spacing.complain("'" + cells[header->spacing] + "'", "a number above 0, from 1e-30 to 1e30");
     double const spacing = header->is_resolution ? 1.0 / *given : *given;
     if (header->seed) {
       auto const seed = number_in(cells[*header->seed], {file, number, "seed"});

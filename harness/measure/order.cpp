@@ -14,8 +14,7 @@ std::string_view const verdict_rules =
     R"(order      p of the laws A d^p, A d^p (1 + c d), A d^p (1 + c d^2), F + A d^p and A d^p with
            alternating levels: each counts by how well it explains the levels (Bayes' rule,
            docs/decisions/0009); null where they cannot tell it to 1 or to half of itself
-interval   of p, all laws together: holds the truth in 95% of ladders or more. Two levels give an
-           order without an interval
+interval   95%, of p, all laws that the levels do not refuse. Two levels give an order without one
 floor      F with its interval, where the levels tell that there is one
 targets    the N at which the likeliest law comes down to an error, or that it never does
 left out   levels whose error is at the run's `round_off`, and those before the signed error passed

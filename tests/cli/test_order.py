@@ -96,6 +96,9 @@ class Order(ProgramTest):
             ("N,l2\n10,0.1\n10,0.05\n", [":3", "seed"]),
             ("N,seed,l2\n10,1,0.1\n10,1,0.05\n", [":3", "seed"]),
             ("N,l2\n10,0.1\n20,1e999\n", [":3", "l2"]),
+            ("N,l2\n10,0.1\n1e200,0.05\n", [":3", "N", "1e30"]),
+            ("N,\x1b[31mred\n10,1\n20,.5\n", ["names", "control characters"]),
+            ("N,f\u00e9hler\n10,1\n20,.5\n", ["names", "ASCII"]),
         ]:
             with self.subTest(table=table):
                 done = order(table)

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "harness/cli/commands.hpp"
@@ -73,7 +74,16 @@ Json json(std::vector<JudgedColumn> const& columns) {
   return document;
 }
 
+/// The library's check of a range lets pass what is no number.
+void require_numbers(OrderCommand const& command) {
+  for (double const target : command.targets) {
+    if (std::isnan(target)) throw UserError("order", "--target", "nan", "errors above 0");
+  }
+  if (std::isnan(command.allowed)) throw UserError("order", "--allowed", "nan", "an order above 0");
+}
+
 void judge_table(OrderCommand const& command) {
+  require_numbers(command);
   std::vector<JudgedColumn> judged;
   for (LadderColumn const& column : read_ladder_table(command.table))
     judged.push_back(judge(column, command));

@@ -7,6 +7,7 @@
 #include "harness/study/expand.hpp"
 #include "reports/agreement.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/printable.hpp"
 
 namespace sphverify {
 
@@ -83,10 +84,11 @@ void repeat(RepeatCommand const& command) {
                                                         .time_budget = study.time_budget,
                                                         .interrupted = nullptr});
   auto const said = [](RunRecord const& run) {
-    return run.reason.empty() ? run.status : run.status + ": " + run.reason;
+    return run.reason.empty() ? run.status : run.status + ": " + printable(run.reason);
   };
   fmt::print(stderr, "run {}: {} on {}\n  recorded  {}\n  now       {}\n  numbers   {}\n", command.run,
-             now.label, now.case_id, said(before), said(now), agreement_text(agreement(before, now)));
+             printable(now.label), now.case_id, said(before), said(now),
+             agreement_text(agreement(before, now)));
   write_document(command.output, document_text(to_json(now)));
 }
 

@@ -74,6 +74,10 @@ Discretisation read_discretisation(Node const& node) {
 
 namespace {
 
+int read_resolution(Node const& node) {
+  return static_cast<int>(node.at("resolution").integer(0, 100'000'000));
+}
+
 NormSet read_norms(Node const& node) {
   return {measured(node.at("l1")), measured(node.at("l2")), measured(node.at("linf"))};
 }
@@ -145,8 +149,8 @@ SecondLaw read_second_law(Node const& node) {
     Node const b = node.at(key);
     return Breach{measured(b.at("size")), measured(b.at("time")), measured_list(b.at("position"))};
   };
-  return {breach("overshoot"), breach("undershoot"), breach("cold_to_hot"),
-          optional_number(node.at("smallest_entropy_production")),
+  return {breach("overshoot"),        breach("undershoot"),
+          breach("cold_to_hot"),      optional_number(node.at("smallest_entropy_production")),
           node.at("remark").string(), node.find("instants") ? count(node.at("instants")) : 0};
 }
 
@@ -157,7 +161,7 @@ Envelope read_envelope(Node const& node) {
   e.formulation = read_formulation(node);
   e.label = node.at("label").string();
   e.discretisation = read_discretisation(node.at("discretisation"));
-  e.resolution = static_cast<int>(count(node.at("resolution")));
+  e.resolution = read_resolution(node);
   e.parameter = node.at("parameter").string();
   e.logarithmic = node.at("scale").string() == "logarithmic";
   e.held = optional_number(node.at("held"));
@@ -274,7 +278,7 @@ Series read_series(Node const& node) {
     OrderEntry e{entry.at("field").string(),   entry.at("region").string(), entry.at("norm").string(),
                  entry.at("allowed").number(), read_order(entry),           {}};
     for (Node const& level : entry.at("levels").elements()) {
-      e.levels.push_back({static_cast<int>(count(level.at("resolution"))), measured(level.at("spacing")),
+      e.levels.push_back({read_resolution(level), measured(level.at("spacing")),
                           static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),
                           optional_number(level.at("spread")), optional_number(level.at("seconds")),
                           read_median(level), found_number(level, "mean")});
@@ -299,7 +303,7 @@ RunRecord read_run(Node const& node) {
   r.label = node.at("label").string();
   r.discretisation = read_discretisation(node.at("discretisation"));
   r.smoothing_exponent = node.at("smoothing_exponent").number();
-  r.resolution = static_cast<int>(count(node.at("resolution")));
+  r.resolution = read_resolution(node);
   r.particles = count(node.at("particles"));
   r.spacing = measured(node.at("spacing"));
   r.smoothing_length = measured(node.at("smoothing_length"));

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "reports/printable.hpp"
 #include "reports/table/number_text.hpp"
 
 namespace sphverify {
@@ -165,7 +166,7 @@ std::string names_text(std::vector<std::string> const& names, std::string const&
   if (names.empty()) return "";
   std::string text = fmt::format("{} {}:\n", names.size(), what);
   for (std::size_t k = 0; k < std::min(names.size(), most_names); ++k)
-    text += indented_lines("- " + names[k], columns) + "\n";
+    text += indented_lines("- " + printable(names[k]), columns) + "\n";
   if (names.size() > most_names) text += fmt::format("  and {} more\n", names.size() - most_names);
   return text;
 }

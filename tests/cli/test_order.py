@@ -106,6 +106,8 @@ class Order(ProgramTest):
                 self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
                 for word in expected:
                     self.assertIn(word, done.stderr)
+        self.assertEqual(order(PUBLISHED, "--target", "nan").returncode, USER_ERROR)
+        self.assertEqual(order(PUBLISHED, "--allowed", "nan").returncode, USER_ERROR)
         missing = subprocess.run([PROGRAM, "order", "none.csv"], capture_output=True, text=True, timeout=60)
         self.assertEqual(missing.returncode, USER_ERROR)
         self.assertIn("none.csv", missing.stderr)

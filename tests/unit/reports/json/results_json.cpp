@@ -86,7 +86,8 @@ RunRecord full_run() {
   stability.modes = {Mode{-1.0, 2.0, std::nullopt, 0.4, {0.3, 0.4}}};
   stability.remark = "a mode grows";
   r.stability = stability;
-  r.second_law = SecondLaw{{0.11, 0.12, {0.13}}, {0.0, 0.0, {}}, {0.14, 0.15, {0.16}}, -0.17, "entropy fell", 385};
+  r.second_law =
+      SecondLaw{{0.11, 0.12, {0.13}}, {0.0, 0.0, {}}, {0.14, 0.15, {0.16}}, -0.17, "entropy fell", 385};
   r.integration = Integration{"bdf", 1e-6, 2e-6, 0.5, 7e-9, 0.003, "an upper bound"};
   r.remarks = {"support wider than the domain", "another"};
   r.smallest_face_weight = Number(-0.3);
@@ -234,6 +235,14 @@ BOOST_AUTO_TEST_CASE(results_written_to_a_file_read_back_as_the_same_document) {
   std::string const text = document_text(to_json(full_results()));
   write_document(path, text);
   BOOST_TEST(document_text(to_json(read_results(path))) == text);
+}
+
+BOOST_AUTO_TEST_CASE(a_resolution_that_no_run_has_is_refused_where_it_stands) {
+  Json run = to_json(full_run());
+  run["resolution"] = 4294967336;  // 40 in the lower 32 bits
+  BOOST_CHECK_EXCEPTION(read_run(Node(run, "f", "runs[0]")), UserError, [](UserError const& error) {
+    return std::string(error.what()).find("runs[0].resolution: found 4294967336") != std::string::npos;
+  });
 }
 
 BOOST_AUTO_TEST_CASE(what_an_order_says_survives_the_document) {

@@ -291,5 +291,39 @@ class TimedInTurn(ProgramTest):
         self.assertFalse(journal.exists())
 
 
+class Envelopes(ProgramTest):
+    """Every envelope's runs have places of their own in the journal."""
+
+    STUDY = small_study(
+        cases=["conduction/slab-dirichlet", "conduction/slab-insulated"],
+        formulations=["conduction/campbell-flux"],
+        discretisation={"layout": "lattice"},
+        envelope={"parameter": "smoothing_ratio", "from": 1.2, "to": 0.5, "bisections": 4},
+        resolution=300,
+        measure=["error"],
+    )
+
+    def test_what_one_envelope_ran_is_not_taken_for_another_s(self):
+        whole = self.study(self.STUDY)
+        self.assertEqual([len(one["points"]) for one in whole["envelopes"]], [6, 6])
+        results = self.folder / "killed.json"
+        journal = self.folder / "killed.json.journal"
+        document = self.write("study.json", self.STUDY)
+        process = self.start("study", document, "-o", results, "--jobs", 1)
+        deadline = time.monotonic() + 60
+        while not (journal.exists() and journal.read_bytes().count(b"\n") > 9):
+            self.assertIsNone(process.poll(), "the study ended before it could be killed")
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.001)
+        process.kill()
+        process.wait()
+        lines = [strict_json(line) for line in journal.read_text().splitlines() if line.endswith("}")][1:]
+        self.assertEqual(len({line["run"] for line in lines}), len(lines), "no place twice")
+        result = self.run_program("study", document, "-o", results, "--resume")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        resumed = strict_json(results.read_text())
+        self.assertEqual(timeless(resumed), timeless(whole))
+
+
 if __name__ == "__main__":
     unittest.main(verbosity=2)

@@ -4,11 +4,11 @@ import sys
 
 sys.dont_write_bytecode = True
 
-import errno
 import fcntl
 import os
 import pty
 import re
+import select
 import signal
 import struct
 import termios
@@ -27,20 +27,32 @@ STUDY = small_study(
 RUNS = 18
 
 
-def read_all(terminal, until=None):
-    """What comes out of a terminal until it closes, or until a pattern has come."""
-    text = b""
-    while until is None or not re.search(until, text):
-        try:
-            part = os.read(terminal, 65536)
-        except OSError as error:
-            if error.errno != errno.EIO:  # how Linux says that the other side is closed
-                raise
-            break
-        if not part:
-            break
-        text += part
-    return text
+END = b"\x00end\x00"
+
+
+class Terminal:
+    """A pseudo-terminal with a program on it. The program's side stays open here as well: what is under way in a
+    terminal whose last writer closes it may be lost."""
+
+    def __init__(self, columns=None):
+        self.ours, self.theirs = pty.openpty()
+        if columns is not None:
+            fcntl.ioctl(self.theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
+
+    def close(self):
+        os.close(self.ours)
+        os.close(self.theirs)
+
+    def read(self, process, until=END):
+        """All that the program writes until it ends, or until a pattern has come."""
+        text, ended = b"", False
+        while not re.search(until, text):
+            if not ended and process.poll() is not None:
+                ended = True
+                os.write(self.theirs, END)
+            if select.select([self.ours], [], [], 0.02)[0]:
+                text += os.read(self.ours, 65536)
+        return text.removesuffix(END)
 
 
 def screen(text):
@@ -74,13 +86,9 @@ def terminals_exist():
 @unittest.skipUnless(terminals_exist(), "no pseudo-terminal can be opened here")
 class OnATerminal(ProgramTest):
     def start_on_terminal(self, *arguments, streams=("stderr",), columns=None, **options):
-        ours, theirs = pty.openpty()
-        self.addCleanup(os.close, ours)
-        if columns is not None:
-            fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 24, columns, 0, 0))
-        process = self.start(*arguments, **{stream: theirs for stream in streams}, **options)
-        os.close(theirs)
-        return process, ours
+        terminal = Terminal(columns)
+        self.addCleanup(terminal.close)
+        return self.start(*arguments, **{stream: terminal.theirs for stream in streams}, **options), terminal
 
     def start_study(self):
         study = self.write("study.json", STUDY)
@@ -88,7 +96,7 @@ class OnATerminal(ProgramTest):
 
     def test_a_bar_redraws_itself_in_one_line_and_leaves_nothing_behind(self):
         process, terminal = self.start_study()
-        text = read_all(terminal)
+        text = terminal.read(process)
         self.assertEqual(process.wait(timeout=60), DONE, text)
         bars = re.findall(rb"\r\[(=*) *\] (\d+)/%d  " % RUNS, text)
         self.assertTrue(bars, text)
@@ -103,7 +111,7 @@ class OnATerminal(ProgramTest):
 
     def test_a_bar_fits_into_80_columns(self):
         process, terminal = self.start_study()
-        text = read_all(terminal)
+        text = terminal.read(process)
         process.wait(timeout=60)
         bars = re.findall(rb"\r(\[[^\r\x1b]*)", text)
         self.assertTrue(bars)
@@ -113,9 +121,9 @@ class OnATerminal(ProgramTest):
     def test_an_interrupt_wipes_the_bar_and_ends_with_one_line(self):
         study = self.write("study.json", STUDY | {"resolution": [50, 100, 200, 300, 400]})
         process, terminal = self.start_on_terminal("study", study, "-o", self.folder / "results.json")
-        text = read_all(terminal, until=rb"\r\[")
+        text = terminal.read(process, until=rb"\r\[")
         process.send_signal(signal.SIGINT)
-        text += read_all(terminal)
+        text += terminal.read(process)
         self.assertEqual(process.wait(timeout=60), PROGRAM_ERROR, text)
         shown = screen(text)
         self.assertEqual(len(shown), 3, shown)
@@ -126,7 +134,7 @@ class OnATerminal(ProgramTest):
         study = self.write("study.json", small_study())
         process, terminal = self.start_on_terminal("study", study)
         output = process.stdout.read()
-        read_all(terminal)
+        terminal.read(process)
         self.assertEqual(process.wait(timeout=60), DONE)
         self.assertEqual(strict_json(output.decode())["schema"], "sphverify-results/1")
 
@@ -134,7 +142,7 @@ class OnATerminal(ProgramTest):
         study = small_study(formulations=["conduction/brookshaw", "conduction/lucy-flux"])
         self.study(study)
         process, terminal = self.start_on_terminal("compare", "results.json", streams=("stdout",))
-        text = read_all(terminal).decode().replace("\r\n", "\n")
+        text = terminal.read(process).decode().replace("\r\n", "\n")
         self.assertEqual(process.wait(timeout=60), DONE)
         self.assertRegex(text, r"\x1b\[[0-9;]+m[^\x1b]*\*[^\x1b]*\x1b\[0m")
         plain = re.sub(r"\x1b\[[0-9;]*m", "", text)
@@ -144,7 +152,7 @@ class OnATerminal(ProgramTest):
 
     def text_on_terminal(self, *arguments, **options):
         process, terminal = self.start_on_terminal(*arguments, streams=("stdout",), **options)
-        text = read_all(terminal).decode().replace("\r\n", "\n")
+        text = terminal.read(process).decode().replace("\r\n", "\n")
         self.assertEqual(process.wait(timeout=60), DONE)
         return text
 
@@ -180,11 +188,11 @@ class OnATerminal(ProgramTest):
     def test_progress_on_a_dumb_terminal_is_plain_lines_and_a_bar_is_never_wider_than_its_terminal(self):
         study = self.write("study.json", STUDY)
         process, terminal = self.start_on_terminal("study", study, "-o", "r.json", env=environment(TERM="dumb"))
-        text = read_all(terminal).decode().replace("\r\n", "\n")
+        text = terminal.read(process).decode().replace("\r\n", "\n")
         self.assertEqual(process.wait(timeout=60), DONE)
         self.assertNotRegex(text, r"[\r\x1b]")
         process, terminal = self.start_on_terminal("study", study, "-o", "r.json", columns=44)
-        bars = re.findall(rb"\r(\[[^\r\x1b]*)", read_all(terminal))
+        bars = re.findall(rb"\r(\[[^\r\x1b]*)", terminal.read(process))
         self.assertEqual(process.wait(timeout=60), DONE)
         self.assertTrue(bars)
         self.assertLess(max(map(len, bars)), 44)

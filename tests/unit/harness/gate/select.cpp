@@ -1,7 +1,10 @@
 #include "harness/gate/select.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <map>
+#include <string>
 
+#include "reports/json/results_json.hpp"
 #include "tests/unit/harness/gate/small_results.hpp"
 
 BOOST_AUTO_TEST_SUITE(harness_gate_select)
@@ -72,6 +75,25 @@ BOOST_AUTO_TEST_CASE(each_key_takes_what_it_names_and_leaves_the_rest) {
   for (auto const& pair : pairs) {
     BOOST_TEST(takes(pair.takes, gas()), pair.takes);
     BOOST_TEST(!takes(pair.leaves, gas()), pair.leaves);
+  }
+}
+
+// Every key that a document's discretisation has: a new one must be put here.
+BOOST_AUTO_TEST_CASE(each_key_of_a_discretisation_takes_its_own_value_and_leaves_another) {
+  std::map<std::string, std::string> const others{
+      {"kernel", R"("quintic-spline")"}, {"density", R"("given")"},        {"smoothing_ratio", "1.2"},
+      {"layout", R"("lattice")"},        {"face_weight", R"("campbell")"}, {"closure", R"("one-sided")"},
+      {"integrator", R"("bdf")"},        {"smoothing", R"("adaptive")"},   {"wall_motion", R"("mass")"},
+      {"viscosity", R"("off")"}};
+  for (auto const& [key, value] : to_json(gas()).at("discretisation").items()) {
+    BOOST_TEST_CONTEXT(key) {
+      BOOST_TEST_REQUIRE(others.contains(key), "which other value may it have?");
+      auto const select = [&](std::string const& text) {
+        return R"({"discretisation": {")" + key + R"(": )" + text + "}}";
+      };
+      BOOST_TEST(takes(select(value.dump()), gas()));
+      BOOST_TEST(!takes(select(others.at(key)), gas()));
+    }
   }
 }
 

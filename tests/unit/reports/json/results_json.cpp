@@ -175,6 +175,21 @@ BOOST_AUTO_TEST_CASE(a_run_with_everything_reads_back_as_the_same_document) {
   BOOST_TEST(to_json(read_run(Node(empty, "f"))).dump(1) == empty.dump(1));
 }
 
+BOOST_AUTO_TEST_CASE(every_layout_reads_back_with_what_belongs_to_it) {
+  for (LayoutChoice const& layout : {LayoutChoice{"lattice"},
+                                     {"jittered", 0.15, 7},
+                                     {"clumped", 0.25},
+                                     {"touching", 0.03},
+                                     {"equal-mass"},
+                                     {"hexagonal"},
+                                     {"close-packed"},
+                                     {"glass", 0.0, 9}}) {
+    RunRecord run = full_run();
+    run.discretisation.layout = layout;
+    BOOST_TEST((read_run(Node(to_json(run), "f")).discretisation.layout == layout), layout.id);
+  }
+}
+
 BOOST_AUTO_TEST_CASE(what_a_run_holds_survives_the_document) {
   RunRecord const run = full_run();
   Json const document = to_json(run);

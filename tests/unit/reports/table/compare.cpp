@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <limits>
+#include <map>
+#include <optional>
 #include <sstream>
 
 #include "harness/measure/series.hpp"
@@ -294,6 +297,127 @@ BOOST_AUTO_TEST_CASE(momentum_is_relative_to_a_wall_s_impulse_or_else_to_what_th
   std::string const text = table_of(upright, TableFormat::table);
   BOOST_TEST(row(text.substr(text.find("impulse that a wall gave")), "p-rho2 ").find("25%") !=
              std::string::npos);
+}
+
+/// A shock tube's run in which every number is another one.
+RunRecord run_of_a_piston() {
+  RunRecord run;
+  run.case_id = "hydro/piston-velocity";
+  run.formulation.id = run.label = "momentum/p-rho2";
+  run.resolution = 10;
+  run.spacing = 0.1;
+  run.errors["density"]["all"] = {{3e-2, 5e-2, 7e-2}, {2.0, 2.5, 4.0}, 1e-15};
+  run.conservation["mass"] = {2.0, 2.0, 0.0, 0.0, {}, {}};
+  run.conservation["energy"] = {4.0, 5.0, 0.7, -0.5, 0.25, -0.15};
+  run.momentum = {{0.0, 0.9, 0.8, -0.06, 0.03, {}}};
+  run.wall_budgets = {{{0.0}, {0.45}, {0.5}, 0.0, 0.0, 0.0}, {{1.0}, {-0.3}, {-0.4}, 0.0, 0.0, 0.0}};
+  run.shocks = {{0.7, -0.011, -0.21, 0.22, 0.23}, {0.9, 0.012, 0.11, 0.12, 0.13}};
+  Motion& motion = run.motion.emplace();
+  motion.wall_heating = -0.31;
+  motion.energy_routes = 0.41;
+  run.wall_flux = {{1.0, 1.2, -0.2, 4.0}, {2.0, 1.9, 0.1, 4.0}};
+  Cost& cost = run.cost.emplace();
+  cost.seconds = 0.51;
+  cost.median = {0.53, 0.52, 0.54};
+  cost.busy = 0.95;
+  cost.steps = 100;
+  Stability& stability = run.stability.emplace();
+  stability.spectral_abscissa = -0.61;
+  stability.spectral_radius = 62.0;
+  stability.growing_modes = 3;
+  stability.unseen_modes = 4;
+  double step = 0.0;
+  for (char const* method : stable_step_methods) {
+    step += 0.01;
+    stability.stable_steps[method] = {step + 0.001, step, ""};
+  }
+  run.second_law = SecondLaw{{0.71, 0.0, {}}, {0.72, 0.0, {}}, {0.73, 0.0, {}}, -0.74, "", 5};
+  run.integration.emplace().time_error_share = 0.81;
+  return run;
+}
+
+// What a program reads, number by number against the document; a number that is new must be put here.
+BOOST_AUTO_TEST_CASE(every_number_of_a_series_is_the_document_s) {
+  Results results;
+  results.runs = {run_of_a_piston()};
+  results.series = build_series(results.runs);
+  double const rounding = 64.0 * std::numeric_limits<double>::epsilon() * 10.0;  // the root of 100 steps
+  std::map<std::string, std::optional<double>> expected{
+      {"error", 5e-2},
+      {"relative_error", 2e-2},
+      {"wall_flux_error", 0.05},     // 0.2 of 4
+      {"energy_drift", 0.1},         // 0.5 of 5
+      {"wall_budget_defect", 0.03},  // 0.15 of 5
+      {"energy_pair_drift", 0.05},   // 0.25 of 5
+      {"energy_rounding", rounding},
+      {"momentum_drift", -0.12},  // of the largest impulse that a wall prescribes, 0.5
+      {"momentum_pair_drift", 0.06},
+      {"momentum_rounding", rounding * 4.0 / 0.5},  // of sqrt(2 x 2 x 4), over 0.5
+      {"wall_impulse_defect", 0.2},                 // 0.1 of 0.5
+      {"seconds", 0.51},
+      {"median_seconds", 0.53},
+      {"low_seconds", 0.52},
+      {"high_seconds", 0.54},
+      {"busy", 0.95},
+      {"time_error_share", 0.81},
+      {"plateau_pressure_error", -0.21},  // the worse of two
+      {"shock_position_error", 0.012},
+      {"wall_heating", -0.31},
+      {"energy_routes", 0.41},
+      {"spectral_abscissa", -0.61},
+      {"spectral_radius", 62.0},
+      {"growing_modes", 3.0},
+      {"unseen_modes", 4.0},
+      {"stable_step_explicit_euler", 0.01},
+      {"stable_step_explicit_euler_theory", 0.011},
+      {"stable_step_heun", 0.02},
+      {"stable_step_heun_theory", 0.021},
+      {"stable_step_classical_runge_kutta", 0.03},
+      {"stable_step_classical_runge_kutta_theory", 0.031},
+      {"stable_step_runge_kutta", 0.04},
+      {"stable_step_runge_kutta_theory", 0.041},
+      {"stable_step_leapfrog", 0.05},
+      {"stable_step_leapfrog_theory", 0.051},
+      {"overshoot", 0.71},
+      {"undershoot", 0.72},
+      {"cold_to_hot", 0.73},
+      {"smallest_entropy_production", -0.74}};
+  // One level tells no order, no floor and no time to an error that it has not reached.
+  for (char const* name :
+       {"order", "order_half_width", "order_low", "order_high", "floor", "floor_low", "floor_high",
+        "resolution_of_1_percent", "seconds_to_1_percent", "median_seconds_to_1_percent",
+        "low_seconds_to_1_percent", "high_seconds_to_1_percent", "seconds_to_1_permille",
+        "median_seconds_to_1_permille", "low_seconds_to_1_permille", "high_seconds_to_1_permille"})
+    expected[name] = std::nullopt;
+  Json const entry = Json::parse(table_of(results, TableFormat::json)).at("series")[0];
+  std::vector<std::string> const csv = lines_of(table_of(results, TableFormat::csv));
+  for (auto const& [name, value] : entry.items()) {
+    if (value.is_string()) continue;
+    BOOST_TEST_CONTEXT(name) {
+      BOOST_TEST_REQUIRE(expected.contains(name), "a new number");
+      BOOST_TEST_REQUIRE(value.is_null() == !expected[name].has_value());
+      if (!value.is_null())
+        BOOST_TEST(value.get<double>() == *expected[name], boost::test_tools::tolerance(1e-12));
+      BOOST_TEST(csv.front().find(name) != std::string::npos);
+      expected.erase(name);
+    }
+  }
+  for (auto const& [name, value] : expected) BOOST_TEST_ERROR(name << " is not in the document");
+}
+
+BOOST_AUTO_TEST_CASE(the_best_behind_a_shock_is_the_nearest_from_either_side) {
+  Results results;
+  for (auto const& [id, error] : {std::pair{"momentum/p-rho2", -0.21}, {"momentum/sqrt-p", 0.11}}) {
+    RunRecord run = run_of_a_piston();
+    run.formulation.id = run.label = id;
+    run.shocks = {{0.7, 0.0, error, 0.0, 0.0}};
+    results.runs.push_back(run);
+  }
+  results.series = build_series(results.runs);
+  std::string const text = table_of(results, TableFormat::table);
+  std::string const shocks = text.substr(text.find("behind the shock"));
+  BOOST_TEST(row(shocks, "sqrt-p ").find("*") != std::string::npos, shocks);
+  BOOST_TEST(row(shocks, "p-rho2 ").find("*") == std::string::npos, shocks);
 }
 
 BOOST_AUTO_TEST_CASE(stability_and_the_second_law_show_the_worst_of_the_seeds) {

@@ -199,6 +199,9 @@ std::string sentences_text(SummaryGroup const& group, TextStyle const& style) {
   return text;
 }
 
+/// Of a reason: what follows a semicolon explains it further, in the series.
+std::string first_clause(std::string const& reason) { return reason.substr(0, reason.find(';')); }
+
 /// Why the order of the first is missing from a table, and which scenes its floors are of.
 std::string below_table(SummaryGroup const& group, bool controls, TextStyle const& style) {
   bool const several = group.scenes.size() > 1;
@@ -208,8 +211,9 @@ std::string below_table(SummaryGroup const& group, bool controls, TextStyle cons
     if (row.is_control != controls) continue;
     if (&row == &group.rows.front() && row.orderless && !controls) {
       std::string const where = several ? scene_name(group, *row.orderless) + ": " : "";
-      text += line_of(
-          fmt::format("No order of {}: {}{}.", row.name, where, row.ladders[*row.orderless].reason), style);
+      text += line_of(fmt::format("No order of {}: {}{}.", row.name, where,
+                                  first_clause(row.ladders[*row.orderless].reason)),
+                      style);
     }
     if (several && row.floor) floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
   }

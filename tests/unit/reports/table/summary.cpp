@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE(a_floor_and_an_order_that_is_missing_are_said_to_be_of_whic
   for (SeriesRow& row : rows) row.order = 1.0, row.lower = 0.9, row.upper = 1.1;
   rows[1].order.reset();
   rows[1].verdict = "floored";
-  rows[1].reason = "most of what is left is a floor";
+  rows[1].reason = "most of what is left is a floor; the signed error changes its sign 2 times";
   rows[2].floor = 0.5, rows[2].floor_low = 0.4, rows[2].floor_high = 0.6;
   CompareOptions options;
   options.section = "summary";

@@ -235,8 +235,10 @@ std::string in_full(SummaryGroup const& group, CompareOptions const& options) {
     if (table.rows.empty()) continue;
     bool const is_markdown = style.format == TableFormat::markdown;
     std::string const below = below_table(group, controls, style);
-    text += (controls && !is_markdown ? "" : "\n") + render(table, style) +
-            (is_markdown && !below.empty() ? "\n" : "") + below;
+    // The whole answer has to fit on a screen of 24 lines.
+    bool const is_close = !is_markdown && (controls || !below.empty());
+    text +=
+        (is_close ? "" : "\n") + render(table, style) + (is_markdown && !below.empty() ? "\n" : "") + below;
   }
   return text;
 }

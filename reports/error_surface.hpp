@@ -118,7 +118,7 @@ struct ErrorSurface {
   /// cost and in any number of dimensions. Empty where the law lacks one of the two terms.
   Estimate neighbour_exponent;
   std::vector<SurfaceCandidate> candidates;  ///< from the best
-  std::vector<BestRatio> best;               ///< by resolution
+  std::vector<BestRatio> best;               ///< by resolution, of those that have an error
   std::vector<SurfacePath> paths;            ///< by unit of cost
 };
 

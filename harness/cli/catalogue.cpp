@@ -5,6 +5,7 @@
 #include "cases/support/case.hpp"
 #include "formulations/rate_operator.hpp"
 #include "harness/measure/order.hpp"
+#include "harness/measure/surface.hpp"
 #include "harness/study/study.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -149,6 +150,28 @@ void add_words(std::vector<CatalogueEntry>& all) {
   all.push_back(
       {"measures", "order", "observed order of convergence with its 95% interval, and the verdict", "", [] {
          return Json{{"rules", verdict_rules}, {"parameters", Json::array()}};
+       }});
+  all.push_back({"measures", "skill", "error over that of doing nothing, a measure of gates", "", [] {
+                   return Json{
+                       {"rules",
+                        "norm of the error over that of the initial state taken for the answer "
+                        "(`initial` of errors.FIELD.REGION); 1 is worth nothing, above 1 is worse than "
+                        "nothing"},
+                       {"parameters", Json::array({"field", "region", "norm", "resolution [finest]"})}};
+                 }});
+  all.push_back(
+      {"measures", "time_error", "share of the error that time integration made, a measure of gates", "", [] {
+         return Json{
+             {"rules",
+              "the change of the final state when the tolerance is tightened a hundredfold, or the step "
+              "halved, over the error; the largest over fields, regions and norms "
+              "(`integration.time_error_share`); null where nothing was compared, as the run's "
+              "`integration.remark` says"},
+             {"parameters", Json::array({"resolution [all]"})}};
+       }});
+  all.push_back(
+      {"measures", "surface", "which h/dx at which N: errors over both, of studies that vary both", "", [] {
+         return Json{{"rules", surface_rules}, {"parameters", Json::array()}};
        }});
 }
 

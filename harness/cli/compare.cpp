@@ -3,9 +3,11 @@
 
 #include <memory>
 #include <set>
+#include <utility>
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/controls.hpp"
+#include "harness/cli/help.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/compare.hpp"
@@ -22,16 +24,43 @@ struct CompareCommand {
   CompareOptions options;
 };
 
+/// The option of errors that is given, with its value; empty words where none is.
+std::pair<std::string, std::string> choice_of_errors(CompareOptions const& options) {
+  if (options.region != CompareOptions{}.region) return {"--region", options.region};
+  if (!options.norm.empty()) return {"--norm", options.norm};
+  return {};
+}
+
 /// Refuses a region that no series has: its tables would be empty.
-void require_region(std::string const& region, std::vector<NamedResults> const& documents) {
+void require_region(CompareOptions const& options, std::vector<NamedResults> const& documents) {
   std::set<std::string> known;
   for (NamedResults const& document : documents) {
     for (Series const& series : document.results.series) {
       for (OrderEntry const& order : series.orders) known.insert(order.region);
     }
   }
-  if (!known.empty() && !known.contains(region))
-    throw UserError("compare", "--region", region, fmt::format("one of {}", fmt::join(known, ", ")));
+  auto const [option, value] = choice_of_errors(options);
+  if (known.empty() && !option.empty())
+    throw UserError("compare", option, value, "none: these documents hold no ladder of errors");
+  if (!known.empty() && !known.contains(options.region))
+    throw UserError("compare", "--region", options.region, fmt::format("one of {}", fmt::join(known, ", ")));
+}
+
+/// Refuses options that the section, or the format, would pass over.
+void require_used(CompareCommand const& command) {
+  CompareOptions const& options = command.options;
+  bool const is_text = command.format == "table" || command.format == "markdown";
+  if (options.legend && !is_text)
+    throw UserError("compare", "--legend", "--format " + command.format, "table or markdown");
+  auto const [option, value] = choice_of_errors(options);
+  for (Section const& section : sections()) {
+    if (section.name != options.section) continue;
+    if (!option.empty() && !section.own_errors.empty())
+      throw UserError("compare", option, value + " with --section " + section.name,
+                      "none: " + section.own_errors);
+    if (options.legend && section.legend().empty())
+      throw UserError("compare", "--legend", "--section " + section.name, "a section with marks to explain");
+  }
 }
 
 std::vector<std::string> section_names() {
@@ -48,13 +77,14 @@ std::string section_help() {
 }
 
 void compare_documents(CompareCommand const& command) {
+  require_used(command);
   if (command.options.section == "changes" && command.documents.size() < 2)
     throw UserError("compare", "--section", "changes of one document", "two documents or more");
   std::vector<std::string> const names = document_names(command.documents);
   std::vector<NamedResults> documents;
   for (std::size_t k = 0; k < names.size(); ++k)
     documents.push_back({names[k], read_results(command.documents[k])});
-  require_region(command.options.region, documents);
+  require_region(command.options, documents);
   CompareOptions options = command.options;
   options.style.format = command.format == "markdown" ? TableFormat::markdown
                          : command.format == "csv"    ? TableFormat::csv
@@ -74,14 +104,14 @@ void add_compare(CLI::App& app) {
       app.add_subcommand("compare", "Formulations side by side, from one or more results documents");
   sub->add_option("RESULTS.json", command->documents, "Results documents")->required();
   sub->add_option("--format", command->format, "table, markdown, csv or json")
-      ->check(CLI::IsMember({"table", "markdown", "csv", "json"}));
+      ->check(one_of_words({"table", "markdown", "csv", "json"}));
   sub->add_option("--region", command->options.region, "all, interior, wall, corner or smooth")
-      ->check(CLI::IsMember({"all", "interior", "wall", "corner", "smooth"}));
+      ->check(one_of_words({"all", "interior", "wall", "corner", "smooth"}));
   sub->add_option("--norm", command->options.norm,
                   "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
-      ->check(CLI::IsMember({"l1", "l2", "linf"}));
+      ->check(one_of_words({"l1", "l2", "linf"}));
   sub->add_option("--section", command->options.section, section_help())
-      ->check(CLI::IsMember(section_names()));
+      ->check(one_of_words(section_names()));
   sub->add_flag("--legend", command->options.legend, "Says below the tables what their marks mean");
   sub->footer(
       "Lines are as long as COLUMNS or the terminal says, else 80.\n"

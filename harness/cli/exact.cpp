@@ -179,7 +179,7 @@ void add_exact(CLI::App& app) {
   sub->add_option("-t,--time", command->time, "Time")->required();
   sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions")->required();
   sub->footer(
-      "A parameter that is given and has no effect is refused. The case need only make sense until the time\n"
+      "A parameter that is given and has no effect is refused. The case need only make sense until the time "
       "asked for, or until the final_time that is given if that is later.\n"
       "Example: sphverify exact conduction/marshak --parameter exponent=3 --time 0.5 --points 0,0.2,0.4");
   sub->callback([command] { exact(*command); });

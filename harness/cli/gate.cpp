@@ -85,12 +85,12 @@ void add_gate(CLI::App& app) {
   auto* junit = sub->add_option("--junit", command->junit, "Writes the verdicts as JUnit XML");
   auto* markdown = sub->add_option("--markdown", command->markdown, "Writes a summary in Markdown");
   sub->add_flag("--rebaseline", command->rebaseline,
-                "Judges nothing: prints old, new and difference of every gate that has\n"
+                "Judges nothing: prints old, new and difference of every gate that has "
                 "a baseline, then overwrites the baseline files with RESULTS.json")
       ->excludes(junit)
       ->excludes(markdown);
   sub->footer(
-      "One line per gate: verdict, name, measured, limit. Where GITHUB_ACTIONS is true, failures are\n"
+      "One line per gate: verdict, name, measured, limit. Where GITHUB_ACTIONS is true, failures are "
       "annotated; a summary is appended to the file that GITHUB_STEP_SUMMARY names.\n"
       "Example: sphverify gate results.json gates.json --junit gates.xml");
   sub->callback([command] { gate(*command); });

@@ -5,6 +5,7 @@
 
 #include "harness/cli/catalogue.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/cli/help.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/number_text.hpp"
@@ -57,7 +58,7 @@ void add_list(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "What there is, one line each: identifier, title, source");
   command
       ->add_option("kind", options->kind, "formulations, cases, kernels, layouts or measures; all by default")
-      ->check(CLI::IsMember(catalogue_kinds()));
+      ->check(one_of_words(catalogue_kinds()));
   command->add_flag("--json", options->json, "As a JSON document");
   command->footer("Example: sphverify list cases --json");
   command->callback([options] { list(*options); });

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <new>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/help.hpp"
 #include "harness/gate/gates.hpp"
 #include "harness/run/run.hpp"
 #include "harness/study/context.hpp"
@@ -37,8 +39,10 @@ void require_known_command(CLI::App const& app, int argc, char** argv) {
 int main(int argc, char** argv) {
   using namespace sphverify;
   CLI::App app{
-      "sphverify runs formulations of smoothed particle hydrodynamics with walls on cases that have\n"
-      "an exact solution, and reports errors, observed orders, conservation, cost and stability as JSON."};
+      "sphverify runs formulations of smoothed particle hydrodynamics with walls on cases that have "
+      "an exact solution, and reports errors, observed orders, conservation, cost and stability as JSON.",
+      "sphverify"};
+  app.formatter(std::make_shared<HelpInColumns>());
   app.footer(
       "Examples:\n"
       "  sphverify list formulations\n"

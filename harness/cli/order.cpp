@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/help.hpp"
 #include "harness/measure/ladder_table.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
@@ -95,13 +96,13 @@ void judge_table(OrderCommand const& command) {
 void add_order(CLI::App& app) {
   auto command = std::make_shared<OrderCommand>();
   CLI::App* sub = app.add_subcommand("order", "Order of convergence, floor and verdict of anybody's errors");
-  sub->add_option("TABLE.csv", command->table,
-                  "Comma-separated: a line of names, N (particles\n"
-                  "along an axis) or spacing among them, seed if there\n"
-                  "are replicates, every other an error (empty or nan:\n"
-                  "the run failed); - is standard input")
+  sub->add_option(
+         "TABLE.csv", command->table,
+         "Comma-separated: a line of names, N (particles along an axis) or spacing among them, seed if "
+         "there are replicates, every other an error (empty or nan: the run failed); - is standard "
+         "input")
       ->required();
-  sub->add_option("--format", command->format, "table or json")->check(CLI::IsMember({"table", "json"}));
+  sub->add_option("--format", command->format, "table or json")->check(one_of_words({"table", "json"}));
   sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")
       ->check(CLI::Range(1e-300, 1e300));
   sub->add_option("--allowed", command->allowed, "Highest order that the solution allows; default: any")

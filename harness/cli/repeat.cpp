@@ -101,7 +101,7 @@ void add_repeat(CLI::App& app) {
   sub->add_option("RUN", command->run, "Which of its runs, counted from 0")->required();
   sub->add_option("-o,--output", command->output, "Where the run's record goes; standard output by default");
   sub->footer(
-      "Says on standard error how the run ended then and now, and how its numbers but the times agree:\n"
+      "Says on standard error how the run ended then and now, and how its numbers but the times agree: "
       "to the bit with the same build and machine. Exit status 0 either way.\n"
       "Example: sphverify repeat results.json 17 -o run.json");
   sub->callback([command] { repeat(*command); });

@@ -115,13 +115,14 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
     std::vector<double> means;
     for (RunRecord const* run : level) {
       RegionError const* error = find_error(*run, field, region);
-      if (run->status != "ok" || error == nullptr) {
+      // An error that is no number is none, whatever the run says of itself.
+      if (run->status != "ok" || error == nullptr || !std::isfinite(error->error.*norm.norm)) {
         failures.push_back(run->status);
         continue;
       }
       step.errors.push_back(error->error.*norm.norm);
       step.round_off = std::max(step.round_off, error->round_off);
-      if (error->mean) means.push_back(*error->mean);
+      if (error->mean && std::isfinite(*error->mean)) means.push_back(*error->mean);
       if (run->integration && run->integration->time_error_share) {
         context.time_error_share =
             std::max(context.time_error_share.value_or(0.0), *run->integration->time_error_share);

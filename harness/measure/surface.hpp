@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "reports/results.hpp"
@@ -22,5 +23,8 @@ std::vector<Surface> build_surfaces(std::vector<RunRecord> const& runs);
 /// in every draw.
 /// @param surface its cells in; all else out
 void explain_surface(ErrorSurface& surface);
+
+/// The rules of the answers, as `describe` prints them.
+extern std::string_view const surface_rules;
 
 }  // namespace sphverify

@@ -13,6 +13,20 @@
 
 namespace sphverify {
 
+std::string_view const surface_rules =
+    R"(grid       runs over at least three resolutions and three smoothing_ratios, smoothing_exponent 0; each
+           field's error in region all, l1 where the solution jumps, l2 elsewhere, mean over seeds.
+           A place of which a run failed has no error, and a row or column without any is left out
+law        e = F + sqrt(S^2 + Q^2 + 2 c S Q), S = A (r d)^p, Q = B r^-s d^t or B(r) d^t, r = h/dx, d = dx;
+           of 16 such laws that of the least criterion (docs/decisions/0010). None where it misses
+           the errors by more than half
+best       h/dx of least error at a resolution by the law, with its 95% interval (<=, >=: the grid's
+           end). Where another place erred least and the law's misfit is larger than what it
+           claims to gain over that, what was measured is taken; where it is smaller, both are named
+path       the N and h/dx of least cost for ever smaller errors: neighbours ~ N^k, k = (p - t)/(p + s)
+rules      h/dx kept, and neighbours ~ N^0.5, beside that path: the error at its cost, the cost at its
+           error)";
+
 namespace {
 
 constexpr double largest_misfit = 0.405;  ///< ln(1.5)
@@ -27,11 +41,12 @@ struct CostUnit {
 constexpr std::array<CostUnit, 2> cost_units{
     {{"pair_interactions", &SurfaceCell::pair_interactions}, {"seconds", &SurfaceCell::seconds}}};
 
+bool is_known(SurfaceCell const& cell) { return cell.error && *cell.error > 0.0; }
+
 /// Cells that have an error, with rows and columns counted among them.
 std::vector<SurfaceDatum> data_of(std::vector<SurfaceCell> const& cells) {
   std::map<int, std::size_t> rows;
   std::map<double, std::size_t> columns;
-  auto const is_known = [](SurfaceCell const& cell) { return cell.error && *cell.error > 0.0; };
   for (SurfaceCell const& cell : cells) {
     if (!is_known(cell)) continue;
     rows.emplace(cell.resolution, 0);
@@ -61,10 +76,12 @@ bool spans_a_grid(std::vector<SurfaceDatum> const& data) {
   return rows >= least && columns >= least;
 }
 
+/// Of the cells that have an error: where all runs failed nothing is known.
 SurfaceRange range_of(std::vector<SurfaceCell> const& cells) {
   SurfaceRange range;
   range.coarsest = range.lowest = INFINITY;
   for (SurfaceCell const& cell : cells) {
+    if (!is_known(cell)) continue;
     range.lowest = std::min(range.lowest, cell.smoothing_ratio);
     range.highest = std::max(range.highest, cell.smoothing_ratio);
     range.coarsest = std::min<double>(range.coarsest, cell.resolution);
@@ -76,13 +93,14 @@ SurfaceRange range_of(std::vector<SurfaceCell> const& cells) {
   return range;
 }
 
-/// What no law is needed for: the cell of least error at each resolution.
+/// What no law is needed for: the cell of least error at each resolution that has any.
 std::vector<BestRatio> best_of_grid(std::vector<SurfaceCell> const& cells) {
   std::map<int, BestRatio> best;
   for (SurfaceCell const& cell : cells) {
+    if (!cell.error) continue;
     BestRatio& entry = best[cell.resolution];
     entry.resolution = cell.resolution;
-    if (!cell.error || (entry.grid_error && *entry.grid_error <= *cell.error)) continue;
+    if (entry.grid_error && *entry.grid_error <= *cell.error) continue;
     entry.grid_error = cell.error;
     entry.grid_ratio = cell.smoothing_ratio;
   }

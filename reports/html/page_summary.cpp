@@ -12,7 +12,12 @@ Json row_json(SummaryGroup const& group, SummaryRow const& row) {
   bool const is_relative = std::all_of(row.ladders.begin(), row.ladders.end(), [](SeriesRow const& ladder) {
     return !ladder.error || ladder.relative_error;
   });
+  Json series = Json::array();
+  for (std::size_t k = 0; k < row.ladders.size(); ++k) {
+    if (row.outcomes[k] != Outcome::missing) series.push_back(row.ladders[k].index);
+  }
   return {{"name", row.name},
+          {"series", std::move(series)},
           {"setting", setting_text(row)},
           {"is_control", row.is_control},
           {"is_relative", is_relative},

@@ -1,6 +1,7 @@
 #include "reports/html/page_surfaces.hpp"
 
 #include "reports/table/setting.hpp"
+#include "reports/table/surface_advice.hpp"
 
 namespace sphverify::page {
 
@@ -51,7 +52,7 @@ void put_error(Json& json, ErrorSurface const& e, Dictionary& word) {
   json["best"] = Json::array();
   for (BestRatio const& b : e.best) {
     json["best"].push_back({b.resolution, estimate_json(b.ratio), word.or_null(b.edge), number(b.error),
-                            number(b.grid_ratio), number(b.grid_error)});
+                            number(b.grid_ratio), number(b.grid_error), word_of(advice_at(e, b))});
   }
   json["cells"] = Json::array();
   for (SurfaceCell const& c : e.cells) {

@@ -18,6 +18,7 @@ function readDocument(raw, number) {
     surfaces: raw.surfaces.map((entry) => readSurface(entry, word)),
   };
   doc.cases = casesOf(doc);
+  markVerdicts(doc);
   nameFormulations([...series, ...doc.envelopes, ...doc.surfaces]);
   for (const list of [
     doc.profiles,
@@ -33,6 +34,19 @@ function readDocument(raw, number) {
     }
   }
   return doc;
+}
+
+// Ladders at the setting with which the verdict across cases judges their formulation, and how it stands there: 0 is
+// first.
+function markVerdicts(doc) {
+  for (const s of doc.series) s.verdictPlace = Infinity;
+  for (const { rows } of doc.summary) {
+    rows
+      .filter((row) => !row.is_control)
+      .forEach((row, place) => {
+        for (const index of row.series) doc.series[index].verdictPlace = place;
+      });
+  }
 }
 
 function readSettings(raw, word) {
@@ -195,13 +209,14 @@ function readSurface(raw, word) {
     samplingExponent: estimate(raw.exponents[1]),
     spacingExponent: estimate(raw.exponents[2]),
     neighbourExponent: estimate(raw.exponents[3]),
-    best: raw.best.map(([resolution, ratio, edge, error, gridRatio, gridError]) => ({
+    best: raw.best.map(([resolution, ratio, edge, error, gridRatio, gridError, advice]) => ({
       resolution,
       ratio: estimate(ratio),
       edge: word(edge),
       error,
       gridRatio,
       gridError,
+      advice,
     })),
     cells: raw.cells.map(([resolution, ratio, replicates, error, spread, fitted, seconds]) => ({
       resolution,

@@ -15,10 +15,14 @@ function rankFormulations(one) {
     const fastest = d3.least(times, (time) => time.seconds) ?? null;
     for (const r of all) r[target].ratio = ratioOf(r[target].time, fastest);
   }
-  // Those that reach 1% by time, then the others by error, then those that only fail.
+  // Those that reach 1% by time, as far as times tell; then the others by error, then those that only fail.
   const none = (value) => value ?? Infinity;
+  const times = formulations.map((r) => r.percent.time);
+  const untold = formulations.filter((r) => hidesBehindBound(r.percent.time, times));
   const before = (a, b) =>
-    none(a.percent.time.seconds) - none(b.percent.time.seconds) ||
+    untold.includes(b) - untold.includes(a) ||
+    (untold.includes(a) && compare(a.place, b.place)) ||
+    compare(none(a.percent.time.seconds), none(b.percent.time.seconds)) ||
     none(a.error) - none(b.error) ||
     a.broken / a.ladders - b.broken / b.ladders ||
     0;
@@ -26,6 +30,17 @@ function rankFormulations(one) {
     formulations: formulations.sort(before),
     controls: all.filter((r) => r.isControl).sort(before),
   };
+}
+
+const compare = (a, b) => (a < b ? -1 : a > b ? 1 : 0);
+
+// Whether an upper bound among the times leaves open which is the soonest, and this may be it. What was below an error
+// on its coarsest level already may have needed any less time.
+function hidesBehindBound(time, times) {
+  const reached = times.filter(({ seconds }) => seconds !== null);
+  const latest = d3.min(reached, ({ seconds, high }) => high ?? seconds);
+  const mayBeSoonest = ({ seconds, low, isBound }) => isBound || (low ?? seconds) <= latest;
+  return time.seconds !== null && mayBeSoonest(time) && reached.some((t) => t.isBound) && reached.length > 1;
 }
 
 function rankOf(name, series) {
@@ -40,6 +55,7 @@ function rankOf(name, series) {
   return {
     name,
     isControl: series[0].isControl,
+    place: d3.min(series, (s) => s.verdictPlace),
     best: percent.best ?? nearest ?? series[0],
     nearest: nearest ?? null,
     percent,
@@ -53,10 +69,14 @@ function rankOf(name, series) {
   };
 }
 
-// The ladder that gets below an error first, its time, and how many get there.
+// The ladder that gets below an error first, its time, and how many get there. Where a bound leaves open which it is,
+// that of the verdict, else that of the smallest error.
 function soonestOf(series, target) {
   const reaching = series.filter((s) => s.row[target].seconds !== null);
-  const best = d3.least(reaching, (s) => s.row[target].seconds) ?? null;
+  const times = reaching.map((s) => s.row[target]);
+  const untold = reaching.filter((s) => hidesBehindBound(s.row[target], times));
+  const byVerdict = (a, b) => compare(a.verdictPlace, b.verdictPlace) || d3.ascending(errorOf(a), errorOf(b));
+  const best = (untold.length ? d3.least(untold, byVerdict) : d3.least(reaching, (s) => s.row[target].seconds)) ?? null;
   const never = { seconds: null, low: null, high: null, isBound: false };
   return { best, reached: reaching.length, time: best ? best.row[target] : never };
 }

@@ -228,11 +228,17 @@ function estimateText({ value, lower, upper }, format = formatNumber) {
     : `${format(value)} [${format(lower)}, ${format(upper)}]`;
 }
 
-function bestText({ ratio, gridRatio, edge }) {
+// The law's, unless what was measured is to be taken in its place (`advice`: reports/table/surface_advice.hpp).
+function bestText({ ratio, gridRatio, edge, advice }) {
   if (ratio.value === null)
     return gridRatio === null ? "not known" : `${formatNumber(gridRatio)} of those tried`;
   const end = edge === "lower" ? " or less" : edge === "upper" ? " or more" : "";
-  return estimateText(ratio) + end;
+  const byLaw = estimateText(ratio) + end;
+  if (advice === "measured")
+    return `${formatNumber(gridRatio)} (measured; by the law ${byLaw}, within its misfit)`;
+  if (advice === "untried")
+    return `${formatNumber(gridRatio)} (measured; by the law ${byLaw}, where no run gave an error)`;
+  return advice === "apart" ? `${byLaw} (by the law; measured ${formatNumber(gridRatio)})` : byLaw;
 }
 
 // What the surface says in words: the best h/dx at the ends, the path, the rule's price.

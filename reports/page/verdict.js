@@ -93,8 +93,9 @@ function besideText({ row }) {
 }
 
 function soonestSentences(one, [first, ...others]) {
-  // Below 1% on the coarsest level already: an upper bound, which may hide less than the first one's time.
-  const unsure = others.filter((r) => r.percent.time.isBound);
+  // An upper bound may hide less than the first one's time, or the first one's less than theirs.
+  const times = [first, ...others].map((r) => r.percent.time);
+  const unsure = others.filter((r) => hidesBehindBound(r.percent.time, times));
   const alike = others.filter((r) => r.percent.ratio?.isAlike);
   const { time } = first.percent;
   const lines = [
@@ -109,18 +110,34 @@ function soonestSentences(one, [first, ...others]) {
     lines.push(["", `Run times do not tell it from ${names.join(", ")}.`]);
   }
   if (unsure.length) {
-    const names = unsure.map((r) => r.name).join(", ");
-    lines.push(["", `Perhaps as soon: ${names}, below 1% on the coarsest level already.`]);
+    const names = unsure.map((r) => `${r.name} (${targetText(r, r.percent, 0.01)})`).join(", ");
+    lines.push(["", `Perhaps as soon or sooner: ${names}; ≤: below 1% on the coarsest level already.`]);
   }
-  const next = others.find((r) => r.percent.ratio && !r.percent.ratio.isAtMost && !r.percent.ratio.isAlike);
+  const next = others.find((r) => r.percent.ratio && !unsure.includes(r) && !r.percent.ratio.isAlike);
   if (next) {
-    lines.push([
-      "",
-      `${unsure.length ? "Later" : "Next"}: ${next.name}, ${time.isBound ? "at least " : ""}` +
-        `${formatRatio(next.percent.ratio.value)} times as long.`,
-    ]);
+    const later = `Later: ${next.name}, ${formatSeconds(next.percent.time.seconds)}.`;
+    const ratio = `Next: ${next.name}, ${formatRatio(next.percent.ratio.value)} times as long.`;
+    lines.push(["", unsure.length ? later : ratio]);
   }
   return lines;
+}
+
+// Where the verdict across cases takes another formulation or setting than the card: it asks another question.
+function verdictSentence(one, formulations) {
+  const [first] = formulations;
+  const taken = formulations.find((r) => r.place === 0);
+  if (!taken || (taken === first && first.best.verdictPlace === 0)) return [];
+  const ladders = one.series.filter((s) => s.name === taken.name && s.verdictPlace === 0 && errorOf(s) !== null);
+  const ladder = d3.least(ladders, errorOf);
+  if (!ladder) return [];
+  const error = ladder.row.relative_error === null ? formatNumber(errorOf(ladder)) : formatPercent(errorOf(ladder));
+  return [
+    [
+      "",
+      "The verdict goes by failures, then by error over all cases, and takes " +
+        `${taken.name} (${bestSettings(one, ladder)}): error ${error} here.`,
+    ],
+  ];
 }
 
 function nearestSentences(one, [first, ...others]) {
@@ -191,6 +208,7 @@ function verdictSentences(one, { formulations, controls }) {
     lines.push(...(isTimed ? soonestSentences(one, formulations) : nearestSentences(one, formulations)));
     const beside = besideText(first.best);
     if (beside) lines.splice(1, 0, ["", `${first.name} there: ${beside}`]);
+    lines.push(...verdictSentence(one, formulations));
     lines.push(...formulations.map((r) => warning(one, r, first, isTimed)).filter(Boolean));
   }
   if (controls.length) lines.push(controlSentence(controls));

@@ -9,6 +9,7 @@
 #include <limits>
 #include <set>
 
+#include "reports/table/changes_level.hpp"
 #include "reports/table/changes_match.hpp"
 #include "reports/table/series_row.hpp"
 
@@ -24,58 +25,10 @@ constexpr double shown_as_zero = 1e-11;
 /// The share of the time error in the space error that runs are held to.
 constexpr double largest_time_error_share = 0.01;
 
-constexpr char const* timed_out = "timed-out";
-
 /// In the order of the tables.
 constexpr std::array<char const*, 10> measures{
     "status",       "error",         "order",        "verdict",        "wall flux",
     "wall impulse", "shock plateau", "energy drift", "momentum drift", "time error share"};
-
-/// The runs of a series at one resolution.
-struct Level {
-  std::multiset<std::uint64_t> seeds;
-  bool timed_out = false;  ///< any of them, which depends on what else the machine did
-  double smoothing_length = 0.0;
-  double tolerance = 0.0;  ///< relative, of adaptive steps; 0: steps of fixed rules, the same everywhere
-  double time_error_share = 0.0;
-  double round_off = 0.0;
-};
-
-std::map<int, Level> levels_of(Series const& series, std::vector<RunRecord> const& runs,
-                               std::string const& field, std::string const& region) {
-  std::map<int, Level> levels;
-  for (std::size_t const index : series.runs) {
-    RunRecord const& run = runs[index];
-    Level& level = levels[run.resolution];
-    level.seeds.insert(run.discretisation.layout.seed);
-    level.timed_out = level.timed_out || run.status == timed_out;
-    level.smoothing_length = run.smoothing_length;
-    if (run.integration && run.integration->relative_tolerance) {
-      level.tolerance = std::max(level.tolerance, *run.integration->relative_tolerance);
-      level.time_error_share =
-          std::max(level.time_error_share, run.integration->time_error_share.value_or(0.0));
-    }
-    auto const errors = run.errors.find(field);
-    if (errors == run.errors.end()) continue;
-    if (auto const found = errors->second.find(region); found != errors->second.end())
-      level.round_off = std::max(level.round_off, found->second.round_off);
-  }
-  return levels;
-}
-
-/// The finest resolution at which both ran the same scene; several seeds may be others, one may not.
-std::optional<int> finest_common(std::map<int, Level> const& before, std::map<int, Level> const& after) {
-  for (auto a = before.rbegin(); a != before.rend(); ++a) {
-    auto const b = after.find(a->first);
-    if (b == after.end()) continue;
-    double const h = a->second.smoothing_length;
-    bool const same_path = std::abs(h - b->second.smoothing_length) <= 1e-9 * h;
-    bool const same_seeds = a->second.seeds == b->second.seeds;
-    bool const has_spreads = a->second.seeds.size() > 1 && b->second.seeds.size() > 1;
-    if (same_path && (same_seeds || has_spreads)) return a->first;
-  }
-  return std::nullopt;
-}
 
 /// A level's mean over its seeds.
 struct Mean {
@@ -108,18 +61,18 @@ double scatter(Mean const& a, Mean const& b) {
   return gsl_cdf_tdist_Pinv(0.975, degrees_of_freedom) * std::sqrt(variance);
 }
 
-bool any_timed_out(std::map<int, Level> const& levels) {
+bool any_timed_out(std::map<int, ComparedLevel> const& levels) {
   return std::any_of(levels.begin(), levels.end(), [](auto const& entry) { return entry.second.timed_out; });
 }
 
 /// Of every level.
-std::vector<std::multiset<std::uint64_t>> seeds_of(std::map<int, Level> const& levels) {
+std::vector<std::multiset<std::uint64_t>> seeds_of(std::map<int, ComparedLevel> const& levels) {
   std::vector<std::multiset<std::uint64_t>> seeds;
   for (auto const& [resolution, level] : levels) seeds.push_back(level.seeds);
   return seeds;
 }
 
-std::vector<int> resolutions_of(std::map<int, Level> const& levels) {
+std::vector<int> resolutions_of(std::map<int, ComparedLevel> const& levels) {
   std::vector<int> resolutions;
   for (auto const& [resolution, level] : levels) resolutions.push_back(resolution);
   return resolutions;
@@ -135,6 +88,10 @@ class Collector {
 
   void set_place(Change place) { place_ = std::move(place); }
 
+  /// How far the numbers are off by their steps is not known: of those that differ nothing can be said.
+  void leave_out_what_differs() { tells_differences_ = false; }
+  bool left_out() const { return left_out_; }
+
   /// Compares two numbers if both exist.
   /// @param more_is_better else less is
   /// @param size the change in powers of 2, where not their ratio
@@ -147,6 +104,10 @@ class Collector {
       return;
     }
     if (must_repeat_) ++changes_.not_repeated;
+    if (!tells_differences_) {
+      left_out_ = true;
+      return;
+    }
     if (std::abs(*after - *before) <= noise) {
       ++count.within_noise;
       return;
@@ -195,6 +156,8 @@ class Collector {
 
   Changes& changes_;
   bool must_repeat_;
+  bool tells_differences_ = true;
+  bool left_out_ = false;
   Change place_;
 };
 
@@ -207,7 +170,7 @@ std::string direction_of_status(std::string const& before, std::string const& af
 /// Two series at one level, and by how much their numbers may differ for no reason.
 struct Pair {
   SeriesRow before, after;
-  Level before_level, after_level;
+  ComparedLevel before_level, after_level;
   double scatter = 0.0;  ///< of the error's mean, if the seeds are others
   bool same_ladder = false;
   bool same_seeds = false;
@@ -226,7 +189,8 @@ double step_noise(Pair const& pair) {
 void compare_numbers(Pair const& pair, Collector& collect) {
   SeriesRow const& before = pair.before;
   SeriesRow const& after = pair.after;
-  double const shares = pair.before_level.time_error_share + pair.after_level.time_error_share;
+  double const shares =
+      pair.before_level.time_error_share.value_or(0.0) + pair.after_level.time_error_share.value_or(0.0);
   auto const relative_noise = [&](Number const& a, Number const& b, double part, double floor) {
     return part * std::max(std::abs(a.value_or(0.0)), std::abs(b.value_or(0.0))) + floor;
   };
@@ -300,7 +264,11 @@ void compare_series(NamedResults const& before, Series const& a, NamedResults co
   std::string const status_after = status_of(pair.after);
   collect.word("status", status_before, status_after, direction_of_status(status_before, status_after),
                std::numeric_limits<double>::infinity());
-  if (status_before == "ok" && status_after == "ok") compare_numbers(pair, collect);
+  if (status_before != "ok" || status_after != "ok") return;
+  if (!pair.before_level.time_error_share || !pair.after_level.time_error_share)
+    collect.leave_out_what_differs();
+  compare_numbers(pair, collect);
+  if (collect.left_out()) changes.unknown_noise.push_back(name_of(a));
 }
 
 /// The last value that held is known to the width of the bracket.

@@ -37,6 +37,8 @@ struct Changes {
   int in_both = 0;            ///< series and envelopes
   std::vector<std::string> only_before, only_after;
   std::vector<std::string> not_comparable;  ///< in both, but without a level or a range that is the same
+  std::vector<std::string> unknown_noise;  ///< of which numbers differ by who knows what: the time error of a
+                                           ///< run is not known
   std::vector<MeasureCount> counts;
   std::vector<Change> list;  ///< the largest first
 };

@@ -184,6 +184,8 @@ std::string changes_text(Changes const& changes, CompareOptions const& options) 
   text += names_text(changes.only_before, "only in " + changes.before->name, columns);
   text += names_text(changes.only_after, "only in " + changes.after->name, columns);
   text += names_text(changes.not_comparable, "in both, without a level or a range that is the same", columns);
+  text += names_text(changes.unknown_noise, "whose numbers differ, and nobody knows the time error in them",
+                     columns);
   if (changes.same_machine && changes.not_repeated > 0)
     text += hanging_lines("",
                           fmt::format("The same build on the same machine: {} numbers and words should have "
@@ -193,7 +195,8 @@ std::string changes_text(Changes const& changes, CompareOptions const& options) 
   text += "\n";
   if (changes.in_both == 0) return text;
   text += counts_text(changes, options);
-  if (changes.list.empty()) return text + "Nothing changed beyond noise.\n";
+  if (changes.list.empty())
+    return text + (changes.unknown_noise.empty() ? "Nothing" : "Nothing else") + " changed beyond noise.\n";
   SeriesNames const names(changes);
   return text + words_text(changes, names, options) + numbers_text(changes, names, options);
 }
@@ -231,6 +234,7 @@ Json changes_json(std::vector<Changes> const& changes) {
                   {"only_before", one.only_before},
                   {"only_after", one.only_after},
                   {"not_comparable", one.not_comparable},
+                  {"unknown_noise", one.unknown_noise},
                   {"counts", Json::array()},
                   {"changes", Json::array()}};
     for (MeasureCount const& c : one.counts) {

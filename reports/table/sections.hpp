@@ -26,7 +26,8 @@ struct Section {
   std::string (*csv)(Comparison const&);
   Json (*json)(Comparison const&);
   std::vector<LegendEntry> (*legend)();
-  bool is_unasked = true;  ///< shown without being named
+  bool is_unasked = true;    ///< shown without being named
+  std::string own_errors{};  ///< which region and norm it is of, where one cannot choose them
 };
 
 /// All sections, in the order in which they are shown.

@@ -101,16 +101,14 @@ std::optional<T> larger_unless_unknown(std::optional<T> const& a, std::optional<
   return known && *known > T() ? known : std::nullopt;
 }
 
-void read_stability(RunRecord const& run, SeriesRow& row) {
-  if (!run.stability) return;
-  Stability const& s = *run.stability;
+void add_stability(Stability const& s, SeriesRow& row) {
   if (!row.stability) {
     row.stability = s;
     return;
   }
   Stability& worst = *row.stability;
   worst.spectral_abscissa = larger_unless_unknown(worst.spectral_abscissa, s.spectral_abscissa);
-  if (s.spectral_radius) raise(worst.spectral_radius, *s.spectral_radius);
+  worst.spectral_radius = larger_if_known(worst.spectral_radius, s.spectral_radius);
   worst.growing_modes = larger_unless_unknown(worst.growing_modes, s.growing_modes);
   if (!worst.worst_mode) worst.worst_mode = s.worst_mode;
   worst.unseen_modes = larger_if_known(worst.unseen_modes, s.unseen_modes);
@@ -118,6 +116,13 @@ void read_stability(RunRecord const& run, SeriesRow& row) {
     auto const [place, is_new] = worst.stable_steps.emplace(method, step);
     if (!is_new && is_shorter(step, place->second)) place->second = step;
   }
+}
+
+/// Of the runs at the finest level. One that has none, where others have, knows nothing of its own modes.
+void read_stability(std::vector<RunRecord const*> const& members, SeriesRow& row) {
+  if (std::none_of(members.begin(), members.end(), [](RunRecord const* run) { return run->stability; }))
+    return;
+  for (RunRecord const* run : members) add_stability(run->stability.value_or(Stability{}), row);
 }
 
 void read_second_law(RunRecord const& run, SeriesRow& row) {
@@ -144,7 +149,7 @@ void read_second_law(RunRecord const& run, SeriesRow& row) {
 
 void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesRow& row) {
   std::string status;
-  int members = 0;
+  std::vector<RunRecord const*> members;
   int failed = 0;
   std::vector<Cost const*> timed;
   for (std::size_t const index : series.runs) {
@@ -154,13 +159,13 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
     }
     if (run.cost && run.cost->busy) row.busy = std::min(row.busy.value_or(*run.cost->busy), *run.cost->busy);
     if (run.resolution != row.finest) continue;
-    ++members;
-    read_stability(run, row);  // what fails has the most to say
+    members.push_back(&run);
     if (run.status != "ok") {
       ++failed;
       status = run.status;
       continue;
     }
+    if (run.integration && !run.integration->time_error_share) row.time_error_is_unknown = true;
     if (run.cost) timed.push_back(&*run.cost);
     read_motion(run, row);
     for (WallFlux const& wall : run.wall_flux) {
@@ -170,10 +175,11 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
     read_energy(run, row);
     read_second_law(run, row);
   }
+  read_stability(members, row);  // what fails has the most to say
   MeanTime const time = mean_time(timed);
   row.seconds = time.seconds;
   row.median = time.median;
-  if (failed > 0) row.failures = fmt::format("{} {}/{}", status, failed, members);
+  if (failed > 0) row.failures = fmt::format("{} {}/{}", status, failed, members.size());
 }
 
 /// What the fitted law says beyond the levels.
@@ -204,6 +210,7 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
   row.field = entry->field;
   row.norm = norm;
   row.verdict = entry->observed.verdict;
+  row.reason = entry->observed.reason;
   row.order = entry->observed.order;
   row.lower = entry->observed.lower;
   row.upper = entry->observed.upper;
@@ -260,8 +267,10 @@ std::vector<SeriesRow> series_rows(std::vector<NamedResults> const& documents, s
                                    std::string const& norm) {
   std::vector<SeriesRow> rows;
   for (NamedResults const& document : documents) {
-    for (Series const& series : document.results.series)
-      rows.push_back(series_row(document, series, region, norm));
+    for (std::size_t k = 0; k < document.results.series.size(); ++k) {
+      rows.push_back(series_row(document, document.results.series[k], region, norm));
+      rows.back().index = k;
+    }
   }
   return rows;
 }

@@ -22,6 +22,7 @@ inline constexpr std::array<char const*, 5> stable_step_methods{
 
 /// One series, reduced to what the tables show.
 struct SeriesRow : Setting {
+  std::size_t index = 0;  ///< of the series in its document
   std::string case_id, parameters, formulation;
 
   std::string field;  ///< the one whose error is shown
@@ -36,8 +37,8 @@ struct SeriesRow : Setting {
   TargetResolution percent_target;  ///< where the fitted law comes down to 1%; an empty remark: nothing known
   Number round_off;                 ///< error that rounding alone explains, the largest at the finest level
   Number seed_half_width;           ///< of the error's 95% interval by its scatter over seeds
-  std::string verdict;
-  std::string failures;       ///< "unstable 3/5" at the finest level, empty if none
+  std::string verdict, reason;      ///< of the order
+  std::string failures;             ///< "unstable 3/5" at the finest level, empty if none
   Number wall_flux_error;     ///< largest over the walls at the finest level, relative to the largest flux in
                               ///< the domain
   Number energy_drift;        ///< largest at the finest level, relative to the energy
@@ -48,6 +49,7 @@ struct SeriesRow : Setting {
   TimeToTarget to_percent, to_permille;  ///< to 1% and to 0.1% of the exact field's norm
   bool heat_crosses_walls = false;       ///< an exact wall flux is not zero
   Number time_error_share;               ///< largest over all runs of the series
+  bool time_error_is_unknown = false;    ///< of a run at the finest level that was integrated in time
 
   // Of a moving gas, the worst at the finest level.
   Number plateau_pressure;      ///< relative error behind a shock

@@ -73,6 +73,7 @@ double uncertainty_of(SeriesRow const& ladder) {
 enum class Order { nearer, alike, further };
 
 Order order_of(SeriesRow const& ladder, SeriesRow const& other) {
+  if (ladder.time_error_is_unknown || other.time_error_is_unknown) return Order::alike;
   double const difference = *error_of(ladder) - *error_of(other);
   if (std::abs(difference) <= uncertainty_of(ladder) + uncertainty_of(other)) return Order::alike;
   return difference < 0.0 ? Order::nearer : Order::further;
@@ -144,14 +145,25 @@ void add_times(SummaryRow& row) {
   if (is_known) row.percent_resolution = furthest;
 }
 
-void add_numbers(SummaryRow& row) {
-  bool is_known =
-      true;  // the order, on every scene: what has none somewhere, as on a floor, has none as worst
+/// That modes grow on one scene is enough; that none does has to be known of every scene that was looked at.
+void add_modes(SummaryRow& row) {
+  bool is_known = true;
   for (SeriesRow const& ladder : row.ladders) {
-    if (ladder.stability && ladder.stability->growing_modes)
-      keep_largest(row.growing_modes, static_cast<double>(*ladder.stability->growing_modes));
+    if (!ladder.stability) continue;
+    row.is_linearised = true;
+    auto const& growing = ladder.stability->growing_modes;
+    is_known = is_known && growing;
+    if (growing) keep_largest(row.growing_modes, static_cast<double>(*growing));
+  }
+  if (!is_known && row.growing_modes == 0.0) row.growing_modes.reset();
+}
+
+void add_numbers(SummaryRow& row) {
+  for (std::size_t k = 0; k < row.ladders.size(); ++k) {
+    SeriesRow const& ladder = row.ladders[k];
     if (!ladder.failures.empty()) continue;
-    is_known = is_known && (!ladder.error || ladder.order);
+    // What has no order somewhere, as on a floor, has none as worst.
+    if (ladder.error && !ladder.order && !row.orderless) row.orderless = k;
     if (ladder.order && ladder.lower && ladder.upper && (!row.order || *ladder.order < *row.order)) {
       row.order = ladder.order;
       row.order_low = ladder.lower;
@@ -161,6 +173,7 @@ void add_numbers(SummaryRow& row) {
       row.floor = ladder.floor;
       row.floor_low = ladder.floor_low;
       row.floor_high = ladder.floor_high;
+      row.floor_scene = k;
     }
     if (ladder.heat_crosses_walls) keep_largest(row.wall_flux, ladder.wall_flux_error);
     keep_largest(row.wall_impulse, ladder.wall_impulse_defect);
@@ -169,7 +182,7 @@ void add_numbers(SummaryRow& row) {
       keep_largest(row.energy_pair_drift, drift <= ladder.energy_rounding.value_or(0.0) ? 0.0 : drift);
     }
   }
-  if (!is_known) row.order = row.order_low = row.order_high = std::nullopt;
+  if (row.orderless) row.order = row.order_low = row.order_high = std::nullopt;
 }
 
 SummaryRow row_of(Formulation const& formulation, std::vector<std::size_t> const& scenes) {
@@ -196,6 +209,7 @@ SummaryRow row_of(Formulation const& formulation, std::vector<std::size_t> const
   }
   add_errors(row);
   add_times(row);
+  add_modes(row);
   add_numbers(row);
   return row;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -49,16 +50,19 @@ struct SummaryRow {
   Number error;  ///< geometric mean over the sound and diverging scenes, relative where the field is not 0
   Number worst_error;  ///< the largest of them
   std::size_t worst_scene = 0;
-  Number order, order_low, order_high;  ///< the lowest; empty if some scene has none
-  Number floor, floor_low, floor_high;  ///< of the scene whose floor is the highest
-  Number wall_flux, wall_impulse;       ///< the worst
-  Number energy_pair_drift;             ///< the worst; 0 where all are rounding
-  Number growing_modes;                 ///< the most
-  Number seconds_to_percent;            ///< the longest; empty unless every scene gets there
-  bool is_bound = false;                ///< it is an upper bound
-  Number percent_resolution;            ///< N at which the law is there on all scenes, where runs were not
-  int reach_percent = 0;                ///< scenes whose ladder gets there
-  bool is_timed = false;                ///< whether there are times, and errors relative to a field
+  Number order, order_low, order_high;   ///< the lowest; empty if some scene has none
+  std::optional<std::size_t> orderless;  ///< a scene that has none, though it has errors
+  Number floor, floor_low, floor_high;   ///< of the scene whose floor is the highest
+  std::size_t floor_scene = 0;
+  Number wall_flux, wall_impulse;  ///< the worst
+  Number energy_pair_drift;        ///< the worst; 0 where all are rounding
+  Number growing_modes;            ///< the most; none where some scene's are not known
+  bool is_linearised = false;      ///< whether modes were looked at
+  Number seconds_to_percent;       ///< the longest; empty unless every scene gets there
+  bool is_bound = false;           ///< it is an upper bound
+  Number percent_resolution;       ///< N at which the law is there on all scenes, where runs were not
+  int reach_percent = 0;           ///< scenes whose ladder gets there
+  bool is_timed = false;           ///< whether there are times, and errors relative to a field
 
   int nearest = 0;  ///< scenes on which it is nearer than all others but controls
   AgainstFirst against_first;

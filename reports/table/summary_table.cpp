@@ -62,8 +62,11 @@ std::vector<Column> const& columns() {
        [](SummaryRow const& r) { return percent(r.wall_impulse); }},
       {"energy made", [](SummaryRow const& r) { return r.energy_pair_drift.has_value(); },
        [](SummaryRow const& r) { return percent(r.energy_pair_drift); }, false},
-      {"growing modes", [](SummaryRow const& r) { return r.growing_modes.has_value(); },
-       [](SummaryRow const& r) { return r.growing_modes ? fmt::format("{:.0f}", *r.growing_modes) : "-"; },
+      {"growing modes", [](SummaryRow const& r) { return r.is_linearised; },
+       [](SummaryRow const& r) {
+         if (r.growing_modes) return fmt::format("{:.0f}", *r.growing_modes);
+         return std::string(r.is_linearised ? "not known" : "-");
+       },
        false},
       {"1% after", [](SummaryRow const& r) { return r.is_timed || r.percent_resolution; }, percent_text,
        false},

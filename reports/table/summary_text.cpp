@@ -128,21 +128,34 @@ std::string error_text(SummaryRow const& row) {
   return fmt::format("error {} (mean), {} (worst)", scientific(row.error), scientific(row.worst_error));
 }
 
+/// On some scene of those on which both are sound.
+bool is_told_from_first(SummaryRow const& row) {
+  AgainstFirst const& a = row.against_first;
+  return a.nearer + a.further > 0 || a.alike == 0;
+}
+
 std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*> const& others) {
   std::vector<std::string> parts = troubles(row);
   std::size_t const scenes = row.ladders.size();
   bool const is_smallest = std::all_of(others.begin(), others.end(), [](SummaryRow const* other) {
-    return other->against_first.ratio.value_or(1.0) >= 1.0;
+    return !is_told_from_first(*other) || other->against_first.ratio.value_or(1.0) >= 1.0;
   });
-  bool const is_apart = std::all_of(others.begin(), others.end(), [](SummaryRow const* other) {
-    AgainstFirst const& a = other->against_first;
-    return a.nearer + a.further > 0 || a.alike == 0;
-  });
+  std::vector<std::string> rivals;  // whose errors are its own, as far as anybody knows
+  for (SummaryRow const* other : others) {
+    if (!is_told_from_first(*other)) rivals.push_back(other->name);
+  }
   if (others.empty() || !row.error) {
     parts.push_back(error_text(row));
+  } else if (is_smallest && !rivals.empty()) {
+    parts.insert(parts.begin(), error_text(row));
+    std::string const last = rivals.back();
+    rivals.pop_back();
+    rivals.insert(rivals.begin(), row.name);
+    return fmt::format("{} and {} cannot be told apart: {}", join(rivals), last, join(parts));
   } else if (is_smallest) {
-    std::string const where =
-        scenes > 1 && is_apart ? fmt::format(" on {} of {} scenes", row.nearest, scenes) : "";
+    std::string const where = scenes == 1        ? ""
+                              : row.nearest == 0 ? " in the mean"
+                                                 : fmt::format(" on {} of {} scenes", row.nearest, scenes);
     parts.insert(parts.begin(), fmt::format("smallest error{}: {}", where, error_text(row).substr(6)));
   } else {
     parts.insert(parts.begin(), "fails and diverges least: " + error_text(row));
@@ -186,6 +199,27 @@ std::string sentences_text(SummaryGroup const& group, TextStyle const& style) {
   return text;
 }
 
+/// Of a reason: what follows a semicolon explains it further, in the series.
+std::string first_clause(std::string const& reason) { return reason.substr(0, reason.find(';')); }
+
+/// Why the order of the first is missing from a table, and which scenes its floors are of.
+std::string below_table(SummaryGroup const& group, bool controls, TextStyle const& style) {
+  bool const several = group.scenes.size() > 1;
+  std::vector<std::string> floors;
+  std::string text;
+  for (SummaryRow const& row : group.rows) {
+    if (row.is_control != controls) continue;
+    if (&row == &group.rows.front() && row.orderless && !controls) {
+      std::string const where = several ? scene_name(group, *row.orderless) + ": " : "";
+      text += line_of(fmt::format("No order of {}: {}{}.", row.name, where,
+                                  first_clause(row.ladders[*row.orderless].reason)),
+                      style);
+    }
+    if (several && row.floor) floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
+  }
+  return floors.empty() ? text : text + line_of("Floors: " + join(floors, "; ") + ".", style);
+}
+
 std::string in_full(SummaryGroup const& group, CompareOptions const& options) {
   TextStyle const& style = options.style;
   std::string const title =
@@ -199,7 +233,12 @@ std::string in_full(SummaryGroup const& group, CompareOptions const& options) {
   for (bool const controls : {false, true}) {
     TextTable const table = summary_table(group, controls);
     if (table.rows.empty()) continue;
-    text += (controls && style.format != TableFormat::markdown ? "" : "\n") + render(table, style);
+    bool const is_markdown = style.format == TableFormat::markdown;
+    std::string const below = below_table(group, controls, style);
+    // The whole answer has to fit on a screen of 24 lines.
+    bool const is_close = !is_markdown && (controls || !below.empty());
+    text +=
+        (is_close ? "" : "\n") + render(table, style) + (is_markdown && !below.empty() ? "\n" : "") + below;
   }
   return text;
 }
@@ -295,7 +334,7 @@ std::vector<LegendEntry> summary_legend() {
        "fails on the fewest scenes, then diverges on the fewest, then has the smallest error."},
       {"error", "at the finest level, relative to the exact field, geometric mean of the scenes"},
       {"order, floor",
-       "of the scene where the order is lowest (none if some scene has none), the floor highest"},
+       "the lowest order (none if some scene has none), the highest floor: of which scene, stands below"},
       {"<", "a floor that may be none"},
       {"wall flux, wall impulse, energy made", "the worst scene"},
       {"1% after", "run time to 1% error on the slowest scene, or the N at which the law gets there"},

@@ -13,6 +13,7 @@
 #include "reports/leading_fields.hpp"
 #include "reports/table/legend.hpp"
 #include "reports/table/number_text.hpp"
+#include "reports/table/surface_advice.hpp"
 
 namespace sphverify {
 
@@ -67,17 +68,55 @@ std::string name_of(SettingNames const& names, SurfaceRow const& row) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// "1.5 (1.4-1.6) at N = 25", with what was measured where that is to be taken, or says otherwise.
+std::string advice_text(ErrorSurface const& surface, BestRatio const& best) {
+  std::string const at = fmt::format(" at N = {}", best.resolution);
+  std::string const law = ratio_cell(best);
+  std::string const measured = plain(best.grid_ratio);
+  switch (advice_at(surface, best)) {
+    case SurfaceAdvice::law:
+      return law + at;
+    case SurfaceAdvice::measured:
+      return fmt::format("{}{} (measured; by the law {}, within its misfit of {})", measured, at, law,
+                         percent(std::expm1(surface.misfit.value_or(0.0))));
+    case SurfaceAdvice::untried:
+      return fmt::format("{}{} (measured; by the law {}, where no run gave an error)", measured, at, law);
+    case SurfaceAdvice::apart:
+      break;
+  }
+  return fmt::format("{}{} by the law, though {} erred least of those that ran", law, at, measured);
+}
+
+/// ". No run gave an error at N = 400, h/dx 0.9"; empty where every row and column has some.
+std::string failed_text(ErrorSurface const& surface) {
+  std::set<int> resolutions;
+  std::set<double> ratios;
+  for (SurfaceCell const& cell : surface.cells) {
+    resolutions.insert(cell.resolution);
+    ratios.insert(cell.smoothing_ratio);
+  }
+  for (SurfaceCell const& cell : surface.cells) {
+    if (!cell.error) continue;
+    resolutions.erase(cell.resolution);
+    ratios.erase(cell.smoothing_ratio);
+  }
+  std::vector<std::string> places;
+  for (int const n : resolutions) places.push_back(fmt::format("N = {}", n));
+  for (double const ratio : ratios) places.push_back(fmt::format("h/dx {:.3g}", ratio));
+  return places.empty() ? "" : fmt::format(". No run gave an error at {}", fmt::join(places, ", "));
+}
+
 std::string answer_of(SurfaceRow const& row) {
   ErrorSurface const& e = row.surface.error;
-  if (e.best.empty()) return "nothing ran";
+  if (e.best.empty()) return "no run gave an error";
   BestRatio const& coarse = e.best.front();
   BestRatio const& fine = e.best.back();
   if (!e.law) {
     return fmt::format("of the grid h/dx {} at N = {} and {} at N = {}; {}", plain(coarse.grid_ratio),
-                       coarse.resolution, plain(fine.grid_ratio), fine.resolution, e.reason);
+                       coarse.resolution, plain(fine.grid_ratio), fine.resolution, e.reason) +
+           failed_text(e);
   }
-  std::string text = fmt::format("h/dx {} at N = {}, {} at N = {}", ratio_cell(coarse), coarse.resolution,
-                                 ratio_cell(fine), fine.resolution);
+  std::string text = fmt::format("h/dx {}, {}", advice_text(e, coarse), advice_text(e, fine));
   if (e.neighbour_exponent.value)
     text += fmt::format("; neighbours ~ N^{}", with_interval(e.neighbour_exponent));
   SurfacePath const* const path = path_in(row, "pair_interactions");
@@ -89,7 +128,7 @@ std::string answer_of(SurfaceRow const& row) {
         "times",
         *half->error_ratio.value, kept->ratio, *kept->error_ratio.value);
   }
-  return text + ".";
+  return text + failed_text(e) + ".";
 }
 
 struct Column {

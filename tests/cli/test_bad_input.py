@@ -633,6 +633,17 @@ class CommandLine(BadInput):
             with self.subTest(arguments=arguments):
                 self.refuse(*arguments, words=(word,))
 
+    def test_a_word_that_is_nearly_one_of_an_option_is_answered_by_it(self):
+        for arguments, meant in (
+            (("compare", "r.json", "--section", "sumary"), "summary"),
+            (("compare", "r.json", "--format", "jason"), "json"),
+            (("compare", "r.json", "--region", "wal"), "wall"),
+            (("order", "t.csv", "--format", "tabel"), "table"),
+            (("list", "kernls"), "kernels"),
+        ):
+            with self.subTest(arguments=arguments):
+                self.refuse(*arguments, words=(f"found '{arguments[-1]}'", f"did you mean '{meant}'?"))
+
     def test_an_unknown_identifier_to_describe_is_refused_with_the_nearest(self):
         self.refuse("describe", "brookshaw", words=("'brookshaw'", "did you mean 'conduction/brookshaw'?"))
         self.refuse("describe", "conduction/marshack", words=("did you mean 'conduction/marshak'?",))

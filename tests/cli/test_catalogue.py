@@ -8,7 +8,7 @@ import re
 import time
 import unittest
 
-from program import ProgramTest, strict_json
+from program import ProgramTest, environment, strict_json
 
 FORMULATIONS = {
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy", "work/internal-energy",
@@ -164,6 +164,10 @@ class Descriptions(ProgramTest):
                     if default is not None:
                         self.assertEqual(strict_json(shown[1]), strict_json(default))
 
+    def test_what_gates_and_surfaces_measure_is_described(self):
+        for word, said in (("skill", "doing nothing"), ("time_error", "time_error_share"), ("surface", "h/dx of least")):
+            self.assertIn(said, " ".join(self.succeed("describe", word).split()))
+
     def test_the_rules_of_the_verdicts_are_described(self):
         text = self.succeed("describe", "order")
         for verdict in ("asymptotic", "pre-asymptotic", "floored", "diverging", "not-refined", "95%"):
@@ -184,20 +188,33 @@ class Help(ProgramTest):
                 text = self.succeed(command, "--help")
                 self.assertRegex(text, rf"Example: sphverify {command}\b")
 
-    def test_every_help_fits_into_100_columns(self):
+    def test_every_help_fits_into_80_columns_or_as_many_as_columns_says(self):
         text = self.succeed("--help")
         commands = re.findall(r"(?m)^  (\w+) {2,}", text.split("Subcommands:")[1])
         self.assertTrue(set(COMMANDS) < set(commands), commands)
-        for help_text in (text, *(self.succeed(command, "--help") for command in commands)):
-            for line in help_text.splitlines():
-                if not line.startswith("Usage:"):  # names the program with its path
-                    self.assertLessEqual(len(line), 100, line)
+        for columns in (80, 65, 120):
+            told = environment() if columns == 80 else environment(COLUMNS=str(columns))
+            widest = 0
+            for arguments in (("--help",), *((command, "--help") for command in commands)):
+                with self.subTest(arguments=arguments, columns=columns):
+                    width = max(map(len, self.succeed(*arguments, env=told).splitlines()))
+                    self.assertLessEqual(width, columns)
+                    widest = max(widest, width)
+            self.assertGreater(widest, 0.8 * columns)
 
-    def test_examples_of_commands_that_need_no_file_work(self):
+    def test_help_says_the_same_at_any_width(self):
+        for command in (*COMMANDS, "order", "gate"):
+            narrow, wide = (
+                self.succeed(command, "--help", env=environment(COLUMNS=columns)).replace("\\\n", "").split()
+                for columns in ("50", "500")
+            )
+            self.assertEqual(narrow, wide, command)
+
+    def test_examples_of_commands_that_need_no_file_work_also_where_their_line_is_broken(self):
         for command in ("list", "describe", "exact"):
             with self.subTest(command=command):
-                example = re.search(r"Example: sphverify (.*)", self.succeed(command, "--help"))[1]
-                self.assertTrue(self.succeed(*example.split()))
+                example = re.search(r"Example: sphverify ((?:.*\\\n)*.*)", self.succeed(command, "--help"))[1]
+                self.assertTrue(self.succeed(*example.replace("\\\n", "").split()))
 
     def test_version_is_one_line_with_the_version(self):
         text = self.succeed("--version")

@@ -11,7 +11,7 @@ import math
 import re
 import unittest
 
-from program import ProgramTest, environment, small_study, strict_json
+from program import SOURCE_DIR, ProgramTest, environment, small_study, strict_json
 
 SCHEMES = ["conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux"]
 STANDARD_STUDY = small_study(  # of the kind that the contract shows, with fewer particles
@@ -290,6 +290,35 @@ class Compare(ProgramTest):
     def test_a_region_that_nothing_has_is_refused(self):
         result = self.run_program("compare", self.results, "--region", "corner")
         self.assert_user_error(result, "--region: found corner, expected one of all")
+
+    def test_options_that_a_section_or_format_would_pass_over_are_refused(self):
+        for options, words in (
+            (("--section", "surface", "--region", "wall"), ("--region", "wall", "error surface")),
+            (("--section", "surface", "--norm", "l1"), ("--norm", "l1")),
+            (("--section", "levels", "--region", "wall"), ("--region", "every region and norm")),
+            (("--section", "levels", "--norm", "linf", "--format", "csv"), ("--norm",)),
+            (("--section", "envelopes", "--region", "wall"), ("--region",)),
+            (("--legend", "--format", "csv"), ("--legend", "--format csv")),
+            (("--legend", "--format", "json"), ("--legend",)),
+            (("--legend", "--section", "changes"), ("--legend", "changes")),
+        ):
+            with self.subTest(options=options):
+                self.assert_user_error(self.run_program("compare", self.results, *options), *words)
+        self.compare("--section", "surface", "--region", "all")
+
+    def test_a_region_is_refused_where_there_is_no_ladder(self):
+        envelope = {"parameter": "smoothing_ratio", "from": 1.2, "to": 0.5, "bisections": 1}
+        self.study(small_study(envelope=envelope, resolution=20, measure="error"), "limits.json")
+        self.succeed("compare", "limits.json")
+        for option in (("--region", "wall"), ("--norm", "l1")):
+            self.assert_user_error(self.run_program("compare", "limits.json", *option), option[0], "no ladder")
+
+    def test_every_section_is_in_the_documentation(self):
+        known = re.findall(r"(?m)^ +(\w+): ", self.succeed("compare", "--help", env=environment(COLUMNS="200")))
+        self.assertLessEqual({"summary", "surface", "changes"}, set(known))
+        table = (SOURCE_DIR / "docs" / "compare.md").read_text()
+        for section in known:
+            self.assertRegex(table, rf"(?m)^\| `{section}` \|")
 
     def test_the_best_of_a_column_is_marked_and_has_the_smallest_error(self):
         table = self.compare("--section", "series", env=environment(COLUMNS="160")).split("\n\n")[0].splitlines()

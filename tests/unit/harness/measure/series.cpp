@@ -48,6 +48,23 @@ BOOST_AUTO_TEST_CASE(runs_that_differ_only_in_resolution_are_one_series_from_coa
   BOOST_TEST(*find(all[0], "l1")->levels[0].error == 8e-4);
 }
 
+BOOST_AUTO_TEST_CASE(an_error_that_is_no_number_is_none) {
+  for (double const wrong : std::initializer_list<double>{NAN, INFINITY}) {
+    std::vector<RunRecord> runs{run_at(25, 16e-4, 1.0), run_at(50, 4e-4, 2.0), run_at(100, 1e-4, 4.0),
+                                run_at(200, wrong, 8.0)};
+    for (RunRecord& run : runs)
+      run.errors["temperature"]["all"].mean = run.errors["temperature"]["all"].error.l2;
+    Series const series = build_series(runs).at(0);
+    OrderEntry const* const l2 = find(series, "l2");
+    BOOST_TEST_REQUIRE(l2 != nullptr);
+    BOOST_TEST(!l2->levels.back().error.has_value());
+    BOOST_TEST(!l2->levels.back().mean.has_value());
+    BOOST_TEST(l2->observed.verdict == "diverging", "as of a finest level that broke");
+    for (TimeToError const& target : series.time_to_error)
+      BOOST_TEST((!target.seconds || std::isfinite(*target.seconds)));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(the_order_is_taken_on_the_spacing_not_on_the_resolution) {
   std::vector<RunRecord> runs{run_at(25, 1.0), run_at(50, 1.0), run_at(100, 1.0)};
   for (RunRecord& run : runs) {

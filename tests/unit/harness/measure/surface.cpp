@@ -186,6 +186,32 @@ BOOST_AUTO_TEST_CASE(what_no_law_explains_gets_the_grid_and_a_reason_only) {
   }
 }
 
+BOOST_AUTO_TEST_CASE(rows_and_columns_whose_runs_all_failed_are_no_part_of_the_grid) {
+  ErrorSurface surface = surface_of(law_of(2.0, 3.0, 0.0, 0.0), 0.02, 0.0, 1);
+  for (SurfaceCell& cell : surface.cells) {
+    if (cell.resolution < 400 && cell.smoothing_ratio < 3.6) continue;
+    cell.error.reset();
+    cell.pair_interactions.reset();
+  }
+  explain_surface(surface);
+  BOOST_TEST_REQUIRE(surface.law.has_value());
+  BOOST_TEST(surface.best.size() == resolutions.size() - 1);
+  BOOST_TEST(surface.best.back().resolution == 200);
+  BOOST_TEST_REQUIRE(!surface.paths.empty());
+  for (SurfacePath const& path : surface.paths) {
+    for (PathPoint const& point : path.points) BOOST_TEST(point.resolution <= 200.0 * (1.0 + 1e-9));
+    for (PathRule const& rule : path.rules) BOOST_TEST(rule.resolution <= 200.0);
+  }
+  SurfaceLaw sampling = law_of(2.0, 3.0, 0.0, 0.0);
+  sampling.smoothing_coefficient = 0.0;
+  ErrorSurface falling = surface_of(sampling, 0.02, 0.0, 1);
+  for (SurfaceCell& cell : falling.cells) {
+    if (cell.smoothing_ratio > 3.6) cell.error.reset();
+  }
+  explain_surface(falling);
+  BOOST_TEST(*falling.best.back().ratio.value == 3.05, boost::test_tools::tolerance(1e-9));
+}
+
 BOOST_AUTO_TEST_CASE(too_few_places_with_an_error_get_no_law) {
   ErrorSurface surface = surface_of(law_of(2.0, 3.0, 0.0, 0.0), 0.0, 0.0, 1);
   for (SurfaceCell& cell : surface.cells) {

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <cmath>
+#include <utility>
 
 #include "harness/measure/series.hpp"
 
@@ -92,6 +93,25 @@ BOOST_AUTO_TEST_CASE(an_error_moved_by_less_than_both_time_errors_is_noise_and_b
   BOOST_TEST(std::abs(*change.before - 1e-3 / 16.0) < 1e-12);
   BOOST_TEST(std::abs(*change.noise - 0.002 * *change.before) < 1e-12);
   BOOST_TEST(std::abs(change.size - 1.0) < 1e-9);
+}
+
+BOOST_AUTO_TEST_CASE(where_a_time_error_is_not_known_numbers_that_differ_are_not_judged) {
+  auto const unknown = [](double error) {
+    Results results = results_of({Ladder{.error = error}});
+    results.runs.back().integration->time_error_share.reset();
+    return results;
+  };
+  for (auto const& [before, after] : {std::pair{unknown(1e-3), results_of({Ladder{.error = 1.5e-3}})},
+                                      {results_of({Ladder{}}), unknown(1.5e-3)}}) {
+    Compared const c(before, after);
+    BOOST_TEST(c.count("error").worse == 0);
+    BOOST_TEST(c.count("error").within_noise == 0);
+    BOOST_TEST(c.count("wall flux").same == 1);
+    BOOST_TEST(c.changes.unknown_noise.size() == 1u);
+  }
+  Compared const same(unknown(1e-3), unknown(1e-3));
+  BOOST_TEST(same.count("error").same == 1);
+  BOOST_TEST(same.changes.unknown_noise.empty());
 }
 
 BOOST_AUTO_TEST_CASE(without_adaptive_steps_only_rounding_is_noise) {

@@ -9,6 +9,7 @@
 
 #include "harness/measure/series.hpp"
 #include "reports/json/node.hpp"
+#include "reports/table/series_row.hpp"
 
 BOOST_AUTO_TEST_SUITE(reports_table_compare)
 
@@ -418,6 +419,32 @@ BOOST_AUTO_TEST_CASE(the_best_behind_a_shock_is_the_nearest_from_either_side) {
   std::string const shocks = text.substr(text.find("behind the shock"));
   BOOST_TEST(row(shocks, "sqrt-p ").find("*") != std::string::npos, shocks);
   BOOST_TEST(row(shocks, "p-rho2 ").find("*") == std::string::npos, shocks);
+
+BOOST_AUTO_TEST_CASE(that_no_mode_grows_has_to_be_known_of_every_seed) {
+  auto const growing = [](std::optional<std::uint64_t> known, bool other_was_looked_at) {
+    std::vector<RunRecord> runs;
+    add_ladder(runs, "conduction/brookshaw", true, {"jittered", 0.1, 1}, 0.0, 1e-3, 2.0);
+    add_ladder(runs, "conduction/brookshaw", true, {"jittered", 0.1, 2}, 0.0, 1e-3, 2.0);
+    for (RunRecord& run : runs) {
+      bool const is_first = run.discretisation.layout.seed == 1;
+      if (!is_first && !other_was_looked_at) continue;
+      Stability& stability = run.stability.emplace();
+      if (!is_first) continue;
+      stability.growing_modes = known;
+      stability.spectral_radius = 100.0;
+    }
+    NamedResults document{"r.json", {}};
+    document.results.runs = runs;
+    document.results.series = build_series(runs);
+    SeriesRow const row = series_row(document, document.results.series.at(0), "all", "");
+    BOOST_TEST_REQUIRE(row.stability.has_value());
+    BOOST_TEST(!row.stability->spectral_radius.has_value());
+    return row.stability->growing_modes;
+  };
+  for (bool const was_looked_at : {true, false}) {
+    BOOST_TEST(!growing(0, was_looked_at).has_value());
+    BOOST_TEST(*growing(3, was_looked_at) == 3u);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(stability_and_the_second_law_show_the_worst_of_the_seeds) {

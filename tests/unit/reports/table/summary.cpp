@@ -146,12 +146,54 @@ BOOST_AUTO_TEST_CASE(errors_within_their_intervals_are_not_told_apart) {
     SeriesRow far = ladder(two, "c/a", "jittered", 1.2e-3);
     near.seed_half_width = far.seed_half_width = half_width;
     near.time_error_share = share;
-    return sentences(summary_of({near, far}, {}).at(0)).at(1);
+    auto const words = sentences(summary_of({near, far}, {}).at(0));
+    bool const is_told = words.at(1).find("cannot be told") == std::string::npos;
+    BOOST_TEST(words.at(0) ==
+               (is_told ? "one: smallest error: 1.0e-3" : "one and two cannot be told apart: error 1.0e-3"));
+    return words.at(1);
   };
   // The errors themselves are 2e-3 and 2.4e-3.
   BOOST_TEST(sentence(1e-4, {}) == "two: error x1.20");
   BOOST_TEST(sentence(2.1e-4, {}).starts_with("two: cannot be told from one"), sentence(2.1e-4, {}));
   BOOST_TEST(sentence(1e-4, 0.11).starts_with("two: cannot be told from one"));
+}
+
+BOOST_AUTO_TEST_CASE(errors_in_time_that_are_not_known_tell_nothing_apart) {
+  SeriesRow const near = ladder(one, "c/a", "lattice", 1e-3);
+  SeriesRow far = ladder(two, "c/a", "lattice", 2e-3);
+  far.time_error_is_unknown = true;
+  auto const words = sentences(summary_of({near, far}, {}).at(0));
+  BOOST_TEST(words.at(0) == "one and two cannot be told apart: error 1.0e-3");
+}
+
+BOOST_AUTO_TEST_CASE(a_floor_and_an_order_that_is_missing_are_said_to_be_of_which_scene) {
+  std::vector<SeriesRow> rows{ladder(one, "c/a", "lattice", 1e-4), ladder(one, "c/b", "lattice", 1e-2),
+                              ladder(one, "c/a", "lattice", 1e-3), ladder(one, "c/b", "lattice", 2e-1)};
+  rows[2].choice.walls = rows[3].choice.walls = false;
+  for (SeriesRow& row : rows) row.order = 1.0, row.lower = 0.9, row.upper = 1.1;
+  rows[1].order.reset();
+  rows[1].verdict = "floored";
+  rows[1].reason = "most of what is left is a floor; the signed error changes its sign 2 times";
+  rows[2].floor = 0.5, rows[2].floor_low = 0.4, rows[2].floor_high = 0.6;
+  CompareOptions options;
+  options.section = "summary";
+  std::string const text = summary_text(summary_of(rows, {}), {{}, options, {}});
+  BOOST_TEST(text.find("\nNo order of one: b: most of what is left is a floor.\n") != std::string::npos,
+             text);
+  BOOST_TEST(text.find("\nFloors: one (walls off) on a.\n") != std::string::npos, text);
+}
+
+BOOST_AUTO_TEST_CASE(that_no_mode_grows_has_to_be_known_of_every_scene_that_was_looked_at) {
+  std::vector<SeriesRow> rows{ladder(one, "c/a", "lattice", 1e-3), ladder(one, "c/b", "lattice", 1e-3),
+                              ladder(one, "c/d", "lattice", 1e-3)};
+  rows[0].stability.emplace().growing_modes = 0;
+  auto const row = [&] { return summary_of(rows, {}).at(0).rows.at(0); };
+  BOOST_TEST(*row().growing_modes == 0.0);
+  rows[1].stability.emplace();
+  BOOST_TEST(row().is_linearised);
+  BOOST_TEST(!row().growing_modes.has_value());
+  rows[0].stability->growing_modes = 2;
+  BOOST_TEST(*row().growing_modes == 2.0);
 }
 
 BOOST_AUTO_TEST_CASE(who_wins_here_and_loses_there_is_said_to) {

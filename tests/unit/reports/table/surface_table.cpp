@@ -1,6 +1,7 @@
 #include "reports/table/surface_table.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 #include <set>
 #include <sstream>
 
@@ -27,6 +28,16 @@ Surface surface_of(std::string const& formulation, std::string const& field) {
   e.neighbour_exponent = {0.5, 0.45, 0.55};
   e.best = {{25, {1.5, 1.4, 1.65}, "", 0.01, 1.25, 0.012},
             {50, {4.0, 4.0, 4.0}, "upper", 0.002, 4.0, 0.0021}};
+  for (int const n : {25, 50}) {
+    for (double const ratio : {1.25, 2.0, 4.0}) {
+      SurfaceCell cell;
+      cell.resolution = n;
+      cell.smoothing_ratio = ratio;
+      cell.error = cell.fitted =
+          (n == 25 ? 0.012 : 0.0021) * (1.0 + std::abs(ratio - (n == 25 ? 1.25 : 4.0)));
+      e.cells.push_back(cell);
+    }
+  }
   SurfacePath path;
   path.cost.unit = "pair_interactions";
   path.points = {{0.01, 25.0, {1.5, {}, {}}, 900.0, ""}, {0.002, 50.0, {4.0, {}, {}}, 9000.0, "upper"}};
@@ -68,6 +79,41 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_formulation_stands_first_in_one_sentence) {
   for (char const* cell :
        {"1.25: 1.2e-2", "-0.5 (-0.6 to -0.4)", "0.37", "5.1%", "1.0e-2: 25, 1.5", "7.1 (6-8)"})
     BOOST_TEST(contains(text, cell), cell);
+}
+
+BOOST_AUTO_TEST_CASE(what_erred_least_is_taken_where_the_law_is_no_better_known_than_its_gain) {
+  auto const answer = [](double fitted_at_least, Estimate const& by_law) {
+    Surface surface = surface_of("conduction/brookshaw", "temperature");
+    ErrorSurface& e = surface.error;
+    e.best[1].ratio = by_law;
+    e.best[1].edge = "";
+    e.best[1].grid_ratio = 1.25;
+    for (SurfaceCell& cell : e.cells) {
+      if (cell.resolution == 50 && cell.smoothing_ratio == 1.25) cell.fitted = fitted_at_least;
+    }
+    return in_one_line(surfaces_text(rows_of({surface}), CompareOptions{}));
+  };
+  // The law's best is 0.002, its misfit 5%.
+  for (Estimate const& by_law : {Estimate{4.0, 4.0, 4.0}, Estimate{3.0, 1.0, 5.0}}) {
+    std::string const taken = answer(0.00209, by_law);
+    BOOST_TEST(contains(taken, "1.25 at N = 50 (measured; by the law"), taken);
+    BOOST_TEST(contains(taken, "within its misfit of 5.1%)"), taken);
+  }
+  std::string const apart = answer(0.0022, {4.0, 4.0, 4.0});
+  BOOST_TEST(contains(apart, "4 at N = 50 by the law, though 1.25 erred least of those that ran"), apart);
+  std::string const next = answer(0.00209, {1.5, 1.4, 1.6});
+  BOOST_TEST(contains(next, "1.5 (1.4-1.6) at N = 50;"), next);
+}
+
+BOOST_AUTO_TEST_CASE(where_runs_failed_nothing_is_advised) {
+  Surface surface = surface_of("conduction/brookshaw", "temperature");
+  for (SurfaceCell& cell : surface.error.cells) {
+    if (cell.smoothing_ratio == 4.0) cell.error.reset();
+  }
+  surface.error.best[1].grid_ratio = 2.0;
+  std::string const text = in_one_line(surfaces_text(rows_of({surface}), CompareOptions{}));
+  BOOST_TEST(contains(text, "2 at N = 50 (measured; by the law >= 4, where no run gave an error)"), text);
+  BOOST_TEST(contains(text, ". No run gave an error at h/dx 4."), text);
 }
 
 BOOST_AUTO_TEST_CASE(without_a_law_the_grid_answers_and_the_reason_is_said) {

@@ -49,7 +49,8 @@ std::string floor_text(ObservedOrder const& observed) {
 }
 
 std::string target_text(TargetResolution const& target) {
-  if (target.resolution) return fmt::format("{:.3g}", *target.resolution);
+  if (target.resolution)
+    return fmt::format("{}{:.3g}", target.remark == coarsest_has_it ? "<=" : "", *target.resolution);
   return target.remark.starts_with("never") ? "never" : "-";
 }
 
@@ -99,7 +100,8 @@ void add_order(CLI::App& app) {
                   "Comma-separated: a line of names, N (particles\n"
                   "along an axis) or spacing among them, seed if there\n"
                   "are replicates, every other an error (empty or nan:\n"
-                  "the run failed); - is standard input")
+                  "the run failed); levels differ by 1e-6 or more of\n"
+                  "themselves; - is standard input")
       ->required();
   sub->add_option("--format", command->format, "table or json")->check(CLI::IsMember({"table", "json"}));
   sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")

@@ -19,7 +19,7 @@ RunSpec with_value(RunSpec spec, EnvelopeChoice const& choice, double value) {
     for (ParameterSpec const& parameter : spec.scene_case->info.parameters) {
       if (parameter.name != choice.parameter) continue;
       if (parameter.integer)
-        throw BadValue(choice.parameter, "a number that can be halved at will, not a whole one", "");
+        throw BadValue(choice.parameter, "no whole number, which cannot be halved at will", "");
       if (known == spec.parameters.all().end())
         throw BadValue(choice.parameter,
                        "another one, since it has no effect beside the parameters of " +

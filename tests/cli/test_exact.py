@@ -242,7 +242,7 @@ class Slabs(Exact):
     def test_a_slab_in_one_dimension_cannot_be_turned(self):
         result = self.run_program("exact", "conduction/slab-dirichlet", "--parameter", "turn=30", "--time", "0",
                                   "--points", "0.5")  # fmt: skip
-        self.assert_user_error(result, "turn must be 0 in one dimension", "found 30")
+        self.assert_user_error(result, "expected 0 in one dimension", "found 30")
 
 
 class Boxes(Exact):
@@ -301,8 +301,8 @@ class Boxes(Exact):
             ("square", "modes=[[1,1]]", ["[n, m, amplitude]"]),
             ("cube", "modes=[[1,1,1]]", ["[n, m, l, amplitude]"]),
             ("square", "modes=[[1,1.5,1]]", ["whole"]),
-            ("square", "modes=[[1,0,1]]", ["mode number must be 1 or more, found 0"]),
-            ("square", "walls=open", ["walls must be one of dirichlet mixed, found open"]),
+            ("square", "modes=[[1,0,1]]", ["--parameter modes[0][1]: found 0, expected a whole number"]),
+            ("square", "walls=open", ["--parameter walls: found 'open', expected one of dirichlet, mixed"]),
         ):  # fmt: skip
             with self.subTest(case=case, parameter=parameter):
                 points = ":".join(["0.5"] * (2 if case == "square" else 3))

@@ -49,7 +49,7 @@ class Studies(ProgramTest):
             (SLAB, OFF, "face_weight", "campbell", "discretisation.face_weight: found 'campbell'"),
             (SLAB, OFF, "closure", "one-sided", "discretisation.closure: found 'one-sided'"),
             (PERIODIC, GAS, "closure", "one-sided", "discretisation.closure: found 'one-sided'"),
-            (SLAB, HEAT, "density", ["given", "continuity"], "discretisation.density: found a list"),
+            (SLAB, HEAT, "density", ["given", "continuity"], "discretisation.density[1]: found 'continuity'"),
         ):  # fmt: skip
             with self.subTest(key=key, value=value):
                 self.refuse(asking(case, formulation, discretisation={key: value}), found, "what changes a run")

@@ -29,8 +29,9 @@ Parameters in_use(Case const& one, Parameters const& parameters) {
   for (ParameterSpec const& spec : one.info.parameters) {
     if (seen->contains(spec.name)) continue;
     if (parameters.is_given(spec.name)) {
-      throw std::invalid_argument(
-          spec.name + " has no effect beside these parameters (it is: " + spec.meaning + "); leave it out");
+      throw BadValue(spec.name,
+                     "none, since it has no effect beside these parameters (it is: " + spec.meaning + ")",
+                     "");
     }
     used.drop(spec.name);
   }
@@ -42,17 +43,15 @@ Parameters until(Case const& one, Parameters const& parameters, double time) {
                                  [](ParameterSpec const& each) { return each.name == "final_time"; });
   if (spec == one.info.parameters.end()) return parameters;
   // A final time counts in seconds or in the unit that another parameter names.
+  if (parameters.is_given("final_time"))
+    throw BadValue("final_time", "none, since the time that is asked for takes its place", "");
   double const unit = spec->unit == "s" ? 1.0 : parameters.number(spec->unit);
   if (!(unit > 0.0)) return parameters;  // the case says so
   double const asked = time / unit;
   double const known = parameters.number("final_time");
   Parameters judged = parameters;
-  if (parameters.is_given("final_time")) {
-    judged.set("final_time", std::max(known, asked));
-  } else {
-    // No scene ends when it begins: at the start nothing has gone wrong yet.
-    judged.set("final_time", asked > 0.0 ? asked : known > 0.0 ? 1e-12 * known : 1e-30);
-  }
+  // No scene ends when it begins: at the start nothing has gone wrong yet.
+  judged.set("final_time", asked > 0.0 ? asked : known > 0.0 ? 1e-12 * known : 1e-30);
   return judged;
 }
 

@@ -2,6 +2,7 @@
 
 #include "cases/conduction/slab_problem.hpp"
 #include "cases/exact/barenblatt.hpp"
+#include "cases/exact/require.hpp"
 #include "cases/support/case.hpp"
 
 namespace sphverify {
@@ -30,9 +31,10 @@ struct BarenblattPulse {
     double const half_width = p.number("half_width");
     double const final_time = p.number("final_time");
     if (!(exact.front(final_time) < half_width)) {
-      throw std::invalid_argument("half_width must hold the front at the final time, which is at " +
-                                  std::to_string(exact.front(final_time)) + "; found " +
-                                  std::to_string(half_width));
+      throw BadValue(
+          "half_width",
+          "above " + exact::brief(exact.front(final_time)) + ", where the front is at the final time",
+          exact::brief(half_width));
     }
     Problem<1> problem = conduction_problem(
         exact, slab<1>(-half_width, half_width), 1.0, [exact](double T) { return exact.conductivity(T); },

@@ -6,6 +6,7 @@
 
 #include "cases/conduction/slab_problem.hpp"
 #include "cases/exact/box_series.hpp"
+#include "cases/exact/require.hpp"
 #include "cases/support/boxes.hpp"
 #include "cases/support/case.hpp"
 
@@ -43,9 +44,9 @@ struct ConductionBox {
     double const conductivity = p.number("conductivity");
     double const density = p.number("density");
     bool const mixed = p.one_of("walls", {"dirichlet", "mixed"}) == "mixed";
-    exact::BoxSeries<Dim> const exact(p.number("left"), p.number("right"), modes(p.table("modes"), row),
-                                      mixed ? exact::BoxSides::insulated : exact::BoxSides::dirichlet,
-                                      conductivity, density);
+    exact::BoxSeries<Dim> const exact(
+        p.number("left"), p.number("right"), modes(p.table("modes"), row, mixed),
+        mixed ? exact::BoxSides::insulated : exact::BoxSides::dirichlet, conductivity, density);
     Problem<Dim> problem;
     problem.domain = unit_box<Dim>();
     problem.walls = box_walls(problem.domain);
@@ -71,18 +72,21 @@ struct ConductionBox {
   }
 
  private:
-  /// [[number along each axis, ..., amplitude], ...] as modes. What is below their range the series refuses.
+  /// [[number along each axis, ..., amplitude], ...] as modes; number 0 only along an axis of cosines.
   static std::vector<exact::BoxMode<Dim>> modes(std::vector<std::vector<double>> const& table,
-                                                std::string const& row) {
+                                                std::string const& row, bool has_cosines) {
     std::vector<exact::BoxMode<Dim>> modes;
     for (auto const& numbers : table) {
+      std::string const place = "modes[" + std::to_string(modes.size()) + "]";
       if (numbers.size() != Dim + 1)
-        throw std::invalid_argument("modes must be a list of [" + row + ", amplitude]");
+        throw BadValue(place, "[" + row + ", amplitude]", "a list of " + std::to_string(numbers.size()));
       exact::BoxMode<Dim> mode;
       mode.amplitude = numbers.back();
       for (std::size_t k = 0; k < Dim; ++k) {
-        if (!(std::abs(numbers[k]) <= 1e6) || numbers[k] != std::floor(numbers[k])) {
-          throw std::invalid_argument("a mode's numbers must be whole, up to 1e6");
+        double const lowest = has_cosines && k > 0 ? 0.0 : 1.0;
+        if (!(numbers[k] >= lowest && numbers[k] <= 1e6) || numbers[k] != std::floor(numbers[k])) {
+          throw BadValue(place + "[" + std::to_string(k) + "]",
+                         "a whole number from " + exact::brief(lowest) + " to 1e6", exact::brief(numbers[k]));
         }
         mode.numbers[k] = static_cast<int>(numbers[k]);
       }

@@ -2,6 +2,7 @@
 
 #include "cases/conduction/slab_problem.hpp"
 #include "cases/exact/marshak.hpp"
+#include "cases/exact/require.hpp"
 #include "cases/support/case.hpp"
 
 namespace sphverify {
@@ -24,8 +25,9 @@ struct MarshakWave {
     exact::Marshak const exact(p.number("exponent"));
     double const final_time = p.number("final_time");
     if (!(exact.front(final_time) < 1.0)) {
-      throw std::invalid_argument("final_time must leave the front inside x < 1, but it is at " +
-                                  std::to_string(exact.front(final_time)));
+      throw BadValue(
+          "final_time", "a time at which the front is inside x < 1",
+          exact::brief(final_time) + " with the front at " + exact::brief(exact.front(final_time)));
     }
     Problem<1> problem = conduction_problem(
         exact, slab<1>(0.0, 1.0), 1.0, [exact](double T) { return exact.conductivity(T); }, true);

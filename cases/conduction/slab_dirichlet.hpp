@@ -48,7 +48,7 @@ struct SlabDirichlet {
       problem.final_time = p.number("final_time");
       if (turn == 0.0) return problem;
       if constexpr (Dim == 1) {
-        throw std::invalid_argument("turn must be 0 in one dimension, found " + std::to_string(turn));
+        throw BadValue("turn", "0 in one dimension", exact::brief(turn));
       } else {
         return turned(problem, turned_axes<Dim>(turn));
       }

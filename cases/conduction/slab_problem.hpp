@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "cases/exact/mode.hpp"
+#include "cases/exact/require.hpp"
 #include "cases/support/boxes.hpp"
 #include "cases/support/parameters.hpp"
 #include "cases/support/problem.hpp"
@@ -63,9 +64,11 @@ void prescribe_flux(Wall<Dim>& wall, double flux) {
 inline std::vector<exact::Mode> modes(std::vector<std::vector<double>> const& table) {
   std::vector<exact::Mode> modes;
   for (auto const& row : table) {
-    if (row.size() != 2) throw std::invalid_argument("modes must be a list of [number, amplitude]");
+    std::string const place = "modes[" + std::to_string(modes.size()) + "]";
+    if (row.size() != 2)
+      throw BadValue(place, "[number, amplitude]", "a list of " + std::to_string(row.size()));
     if (!(row[0] >= 1.0 && row[0] <= 1e6) || row[0] != std::floor(row[0])) {
-      throw std::invalid_argument("a mode's number must be whole, from 1 to 1e6");
+      throw BadValue(place + "[0]", "a whole number from 1 to 1e6", exact::brief(row[0]));
     }
     modes.push_back({static_cast<int>(row[0]), row[1]});
   }

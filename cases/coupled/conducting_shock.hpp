@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "cases/exact/conducting_shock.hpp"
+#include "cases/exact/require.hpp"
 #include "cases/hydro/gas_problem.hpp"
 #include "cases/support/case.hpp"
 
@@ -63,10 +64,11 @@ struct ConductingShockWave {
       }
     }
     if (!(tail < 1e-3 * exact.piston_velocity())) {
-      throw std::invalid_argument(
-          "the shock must stay away from the walls: choose another centre, a shorter final_time "
-          "or a smaller conductivity; found a tail of " +
-          std::to_string(tail) + " m/s there");
+      throw BadValue(
+          "centre",
+          "such that the shock stays away from the walls: another centre, a shorter final_time or a "
+          "smaller conductivity",
+          exact::brief(p.number("centre")) + " with a tail of " + exact::brief(tail) + " m/s at a wall");
     }
     problem.landmarks["centre"] = [exact, start = p.number("centre")](double t) {
       return start + exact.shock_speed() * t;

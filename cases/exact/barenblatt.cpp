@@ -10,7 +10,7 @@ namespace sphverify::exact {
 Barenblatt::Barenblatt(double exponent, double constant, double start_time)
     : exponent_(require_above("exponent", exponent, 1.0)),
       constant_(require_positive("constant", constant)),
-      start_time_(require_positive("start time", start_time)),
+      start_time_(require_positive("start_time", start_time)),
       spread_(1.0 / (exponent + 1.0)),
       curvature_((exponent - 1.0) / (2.0 * exponent * (exponent + 1.0))) {}
 

@@ -24,8 +24,8 @@ double wavenumber(BoxMode<Dim> const& mode, int axis) {
 template <int Dim>
 BoxSeries<Dim>::BoxSeries(double left, double right, std::vector<BoxMode<Dim>> modes, BoxSides sides,
                           double conductivity, double density)
-    : left_(require_finite("left temperature", left)),
-      right_(require_finite("right temperature", right)),
+    : left_(require_finite("left", left)),
+      right_(require_finite("right", right)),
       modes_(std::move(modes)),
       sides_(sides),
       diffusivity_(require_positive("conductivity", conductivity) / require_positive("density", density)) {

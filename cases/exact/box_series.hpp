@@ -39,7 +39,7 @@ class BoxSeries {
   static_assert(Dim == 2 || Dim == 3);
 
  public:
-  /// Throws std::invalid_argument for a number below 1 (below 0 along insulated axes), for what is not
+  /// Throws BadValue for a number below 1 (below 0 along insulated axes), for what is not
   /// finite, and unless conductivity and density are positive.
   BoxSeries(double left, double right, std::vector<BoxMode<Dim>> modes, BoxSides sides, double conductivity,
             double density);

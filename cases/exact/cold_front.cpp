@@ -11,7 +11,6 @@
 #include <limits>
 #include <memory>
 #include <new>
-#include <sstream>
 #include <stdexcept>
 
 #include "cases/exact/require.hpp"
@@ -107,18 +106,16 @@ double shoot(Target target) {
 double between_cold_and_hot(double cold) {
   require_positive("cold temperature", cold);
   if (cold < 1.0) return cold;
-  std::ostringstream message;
-  message << "cold temperature must be below the wall's 1, found " << cold;
-  throw std::invalid_argument(message.str());
+  throw BadValue("cold temperature", "below the wall's 1", brief(cold));
 }
 
 double conducting(double exponent, double cold) {
   require_not_negative("exponent", exponent);
   double const digits = -exponent * std::log10(cold);
   if (digits < 200.0) return exponent;
-  std::ostringstream message;
-  message << "cold^exponent must be above 1e-200, found 1e-" << digits;
-  throw std::invalid_argument(message.str());
+  throw BadValue("exponent",
+                 "at most " + brief(-200.0 / std::log10(cold)) + ", for cold^exponent above 1e-200",
+                 brief(exponent));
 }
 
 }  // namespace

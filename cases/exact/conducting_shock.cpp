@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -22,12 +20,12 @@ double softplus(double y) { return std::max(y, 0.0) + std::log1p(std::exp(-std::
 double logistic(double y) { return 1.0 / (1.0 + std::exp(-y)); }
 
 double continuous(double post_pressure, double initial_pressure, double gamma) {
-  require_above("post-shock pressure", post_pressure, initial_pressure);
+  require_above("pressure", post_pressure, initial_pressure);
   if (post_pressure * (3.0 - gamma) < initial_pressure * (gamma + 1.0)) return post_pressure;
-  std::ostringstream message;
-  message << "post-shock pressure must be below " << initial_pressure * (gamma + 1.0) / (3.0 - gamma)
-          << " for conduction alone to smooth the shock, found " << post_pressure;
-  throw std::invalid_argument(message.str());
+  throw BadValue("pressure",
+                 "below " + brief(initial_pressure * (gamma + 1.0) / (3.0 - gamma)) +
+                     " for conduction alone to smooth the shock",
+                 brief(post_pressure));
 }
 
 /// Of the jump conditions, without the difference of two near speeds.
@@ -39,7 +37,7 @@ double mass_flux(double initial_pressure, double post_pressure, double density, 
 
 ConductingShock::ConductingShock(double initial_pressure, double post_pressure, double density,
                                  double conductivity, double gamma, double centre)
-    : initial_pressure_(require_positive("initial pressure", initial_pressure)),
+    : initial_pressure_(require_positive("initial_pressure", initial_pressure)),
       gamma_(require_above("gamma", gamma, 1.0)),
       post_pressure_(continuous(post_pressure, initial_pressure, gamma)),
       density_(require_positive("density", density)),

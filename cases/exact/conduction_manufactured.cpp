@@ -48,7 +48,7 @@ double temperature_factor_slope(double temperature) { return 0.2 * temperature; 
 
 template <int Dim>
 ConductionManufactured<Dim>::ConductionManufactured(double conductivity_scale)
-    : scale_(require_positive("conductivity scale", conductivity_scale)) {}
+    : scale_(require_positive("conductivity", conductivity_scale)) {}
 
 template <int Dim>
 double ConductionManufactured<Dim>::temperature(Vector<Dim> const& r, double t) const {

@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -46,9 +44,7 @@ Wall right_wall(double t) {
 Wall wall(int side, double t) {
   if (side == 0) return left_wall(t);
   if (side == 1) return right_wall(t);
-  std::ostringstream message;
-  message << "side must be 0 or 1, found " << side;
-  throw std::invalid_argument(message.str());
+  throw BadValue("side", "0 or 1", std::to_string(side));
 }
 
 /// Along x: the mass coordinate m and what follows from its derivatives.
@@ -212,7 +208,7 @@ constexpr double conductivity_slope = 0.2;
 template <int Dim>
 GasManufactured<Dim>::GasManufactured(double gamma, double conductivity_scale)
     : gamma_(require_above("gamma", gamma, 1.0)),
-      scale_(require_not_negative("conductivity scale", conductivity_scale)) {}
+      scale_(require_not_negative("conductivity", conductivity_scale)) {}
 
 template <int Dim>
 double GasManufactured<Dim>::density(Vector<Dim> const& r, double t) const {

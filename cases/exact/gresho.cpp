@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -16,13 +14,10 @@ Gresho::Gresho(double central_pressure)
 // P = v^2/(gamma M^2) where v = 1, and 1/2 less in the centre.
 double Gresho::central_pressure(double gamma, double mach) {
   require_above("gamma", gamma, 1.0);
-  require_positive("Mach number", mach);
+  require_positive("mach", mach);
   double const pressure = 1.0 / (gamma * mach * mach) - 0.5;
   if (pressure > 0.0) return pressure;
-  std::ostringstream message;
-  message << "Mach number must be below " << std::sqrt(2.0 / gamma) << " for a positive pressure, found "
-          << mach;
-  throw std::invalid_argument(message.str());
+  throw BadValue("mach", "below " + brief(std::sqrt(2.0 / gamma)) + " for a positive pressure", brief(mach));
 }
 
 double Gresho::velocity(double r) const { return r * angular_velocity(r); }

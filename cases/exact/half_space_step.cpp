@@ -9,8 +9,8 @@
 namespace sphverify::exact {
 
 HalfSpaceStep::HalfSpaceStep(double wall, double initial, double conductivity, double density)
-    : wall_(require_finite("wall temperature", wall)),
-      initial_(require_finite("initial temperature", initial)),
+    : wall_(require_finite("wall", wall)),
+      initial_(require_finite("initial", initial)),
       diffusivity_(require_positive("conductivity", conductivity) / require_positive("density", density)) {}
 
 double HalfSpaceStep::temperature(double x, double t) const {

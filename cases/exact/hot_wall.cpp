@@ -13,13 +13,13 @@ namespace sphverify::exact {
 
 HotWall::HotWall(double wall_temperature, double initial_temperature, double density, double conductivity,
                  double gamma, double start_time, double wall_velocity)
-    : wall_temperature_(require_positive("wall temperature", wall_temperature)),
-      initial_temperature_(require_positive("initial temperature", initial_temperature)),
+    : wall_temperature_(require_positive("wall", wall_temperature)),
+      initial_temperature_(require_positive("initial", initial_temperature)),
       density_(require_positive("density", density)),
       conductivity_(require_positive("conductivity", conductivity)),
       gamma_(require_above("gamma", gamma, 1.0)),
-      start_time_(require_positive("start time", start_time)),
-      wall_velocity_(require_finite("wall velocity", wall_velocity)) {}
+      start_time_(require_positive("start_time", start_time)),
+      wall_velocity_(require_finite("piston_velocity", wall_velocity)) {}
 
 double HotWall::elapsed(double t) const { return start_time_ + require_above("time", t, -start_time_); }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -25,10 +23,10 @@ std::vector<double> front_series(double n) {
   std::vector<double> g{0.0, 0.5 * n};
   while (!has_converged(g)) {
     if (g.size() > most_terms) {
-      std::ostringstream message;
-      message << "exponent must be large enough for the series about the front to converge in " << most_terms
-              << " terms, found " << n << ", expected 0.001 or more";
-      throw std::invalid_argument(message.str());
+      throw BadValue("exponent",
+                     "0.001 or more, for the series about the front to converge in " +
+                         std::to_string(most_terms) + " terms",
+                     brief(n));
     }
     std::size_t const j = g.size() - 1;
     double const order = static_cast<double>(j);

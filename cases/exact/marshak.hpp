@@ -37,7 +37,7 @@ namespace sphverify::exact {
 /// position.
 class Marshak {
  public:
-  /// Throws std::invalid_argument too where the series needs more terms than we take, below about n = 0.0005.
+  /// Throws BadValue too where the series needs more terms than we take, below about n = 0.0005.
   explicit Marshak(double exponent);
 
   double temperature(double x, double t) const;

@@ -13,7 +13,7 @@ struct Mode {
   double decay(double conductivity_over_density, double t) const;  ///< exp(-(n pi)^2 kappa t)
 };
 
-/// Throws std::invalid_argument unless every number is 1 or more and every amplitude finite.
+/// Throws BadValue unless every number is 1 or more and every amplitude finite.
 std::vector<Mode> require_modes(std::vector<Mode> modes);
 
 /// Rounding that a sum of modes carries: that of each amplitude and of its phase n pi x.

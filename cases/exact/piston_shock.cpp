@@ -8,10 +8,13 @@ namespace sphverify::exact {
 
 PistonShock::PistonShock(double initial_pressure, double post_pressure, double density, double gamma)
     : ahead_{require_positive("density", density), 0.0,
-             require_not_negative("initial pressure", initial_pressure)} {
+             require_not_negative("initial_pressure", initial_pressure)} {
   require_above("gamma", gamma, 1.0);
-  require_positive("post pressure", post_pressure);
-  require_not_negative("post pressure minus initial pressure", post_pressure - initial_pressure);
+  require_positive("pressure", post_pressure);
+  if (post_pressure < initial_pressure) {
+    throw BadValue("pressure", "at least the initial_pressure, " + brief(initial_pressure),
+                   brief(post_pressure));
+  }
   double const numerator = (gamma + 1.0) * post_pressure + (gamma - 1.0) * initial_pressure;
   double const denominator = (gamma - 1.0) * post_pressure + (gamma + 1.0) * initial_pressure;
   double const mass_flow = std::sqrt(0.5 * density * numerator);

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -38,9 +36,14 @@ std::array<double, Degree + 1> chebyshev_points() {
   return points;
 }
 
+double larger(double start, double environment) {
+  if (start > 0.0 || environment > 0.0) return std::max(start, environment);
+  throw BadValue("start", "positive where the environment is at 0", brief(start));
+}
+
 int require_exponent(int exponent) {
   if (exponent >= 1 && exponent <= 8) return exponent;
-  throw std::invalid_argument("exponent must be from 1 to 8, found " + std::to_string(exponent));
+  throw BadValue("exponent", "from 1 to 8", std::to_string(exponent));
 }
 
 }  // namespace
@@ -49,10 +52,10 @@ RadiatingHalfSpace::RadiatingHalfSpace(double radiation, int exponent, double st
                                        double conductivity, double density)
     : radiation_(require_positive("radiation", radiation)),
       exponent_(require_exponent(exponent)),
-      start_(require_not_negative("start temperature", start)),
-      environment_(require_not_negative("environment temperature", environment)),
+      start_(require_not_negative("start", start)),
+      environment_(require_not_negative("environment", environment)),
       conductivity_(require_positive("conductivity", conductivity)),
-      unit_(require_positive("the larger temperature", std::max(start, environment))),
+      unit_(larger(start, environment)),
       length_(require_positive("the depth that the wall feels",
                                conductivity / (radiation * std::pow(unit_, exponent - 1)))),
       time_(require_positive("the time that the wall takes",
@@ -177,9 +180,7 @@ void RadiatingHalfSpace::solve() {
 double RadiatingHalfSpace::scaled_time(double t) const {
   double const z = std::sqrt(require_not_negative("time", t) / time_);
   if (z <= latest) return z;
-  std::ostringstream message;
-  message << "time must be at most " << latest * latest * time_ << ", found " << t;
-  throw std::invalid_argument(message.str());
+  throw BadValue("time", "at most " + brief(latest * latest * time_), brief(t));
 }
 
 /// Index of the interval that holds z.

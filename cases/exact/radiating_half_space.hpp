@@ -34,7 +34,7 @@ namespace sphverify::exact {
 class RadiatingHalfSpace {
  public:
   /// @param exponent n, 1 to 8
-  /// Expects temperatures that are not negative and not both zero. Throws std::invalid_argument.
+  /// Expects temperatures that are not negative and not both zero. Throws BadValue.
   RadiatingHalfSpace(double radiation, int exponent, double start, double environment, double conductivity,
                      double density);
 

@@ -19,9 +19,9 @@ double fourth_power(double T) { return (T * T) * (T * T); }
 RadiativeWall::RadiativeWall(double radiation, double start, double environment, double cooling_time,
                              double conductivity, double density)
     : radiation_(require_not_negative("radiation", radiation)),
-      start_(require_above("start temperature", start, environment)),
-      environment_(require_not_negative("environment temperature", environment)),
-      cooling_time_(require_positive("cooling time", cooling_time)),
+      start_(require_above("start", start, environment)),
+      environment_(require_not_negative("environment", environment)),
+      cooling_time_(require_positive("cooling_time", cooling_time)),
       conductivity_(require_positive("conductivity", conductivity)),
       density_(require_positive("density", density)) {}
 

@@ -12,11 +12,11 @@ namespace sphverify::exact {
 namespace {
 
 GasState const& require_gas_or_vacuum(std::string const& side, GasState const& state) {
-  require_finite(side + " velocity", state.velocity);
-  if (require_not_negative(side + " pressure", state.pressure) > 0.0)
-    require_positive(side + " density", state.density);
+  require_finite(side + "[1]", state.velocity);
+  if (require_not_negative(side + "[2]", state.pressure) > 0.0)
+    require_positive(side + "[0]", state.density);
   else
-    require_not_negative(side + " density", state.density);
+    require_not_negative(side + "[0]", state.density);
   return state;
 }
 
@@ -163,6 +163,8 @@ Riemann::Riemann(GasState const& left, GasState const& right, double gamma)
   if (touching) star_ = star_between(left, right, contact_pressure(left, right, gamma), gamma);
   waves_ = ascending(star_ ? waves_about_star(left, right, *star_, gamma)
                            : waves_about_vacuum(left, right, gamma));
+  require_finite("speed of a wave", waves_.left_head);
+  require_finite("speed of a wave", waves_.right_head);
 }
 
 GasState Riemann::at(double speed) const {

@@ -53,7 +53,7 @@ class Riemann {
     double right_head;
   };
 
-  /// Throws std::invalid_argument too where the pressure at the contact is no vacuum's but less than 1e-280
+  /// Throws BadValue too where the pressure at the contact is no vacuum's but less than 1e-280
   /// times the pressures outside. This takes a gamma close to 1, below 1.2, and gases that part fast.
   Riemann(GasState const& left, GasState const& right, double gamma);
 

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -17,7 +15,7 @@ namespace {
 
 int plane_axis_or_point(int dimension) {
   if (require_positive("dimension", dimension) <= 3) return dimension;
-  throw std::invalid_argument("dimension must be 1, 2 or 3, found " + std::to_string(dimension));
+  throw BadValue("dimension", "1, 2 or 3", std::to_string(dimension));
 }
 
 /// A at the shock, times gamma + 1. It is positive where V rises from the centre to the shock.
@@ -26,9 +24,7 @@ double a_at_shock(int d, double gamma) { return (2 - d) * gamma + (3 * d - 2); }
 double fills_the_centre(int d, double gamma) {
   require_above("gamma", gamma, 1.0);
   if (a_at_shock(d, gamma) > 0.0) return gamma;
-  std::ostringstream message;
-  message << "gamma must be below 7 for gas to reach the centre in 3D, found " << gamma;
-  throw std::invalid_argument(message.str());
+  throw BadValue("gamma", "below 7 for gas to reach the centre in 3D", brief(gamma));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ namespace sphverify::exact {
 /// densities in kg/m3.
 class Sedov {
  public:
-  /// dimension: 1, 2 or 3. Throws std::invalid_argument too for gamma >= 7 in 3D, where no gas reaches the
+  /// dimension: 1, 2 or 3. Throws BadValue too for gamma >= 7 in 3D, where no gas reaches the
   /// centre.
   Sedov(int dimension, double gamma, double density, double energy);
 

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -24,7 +22,7 @@ double speed_before_vacuum(double speed, double rest_sound_speed, double gamma) 
 }  // namespace
 
 SimpleWave::SimpleWave(double speed, double rise_time, double density, double pressure, double gamma)
-    : rise_time_(require_positive("rise time", rise_time)),
+    : rise_time_(require_positive("rise_time", rise_time)),
       gamma_(require_above("gamma", gamma, 1.0)),
       rest_{require_positive("density", density), 0.0, require_positive("pressure", pressure)},
       rest_sound_speed_(sound_speed(rest_, gamma)),
@@ -78,9 +76,7 @@ double SimpleWave::departure(double x, double t) const {
 GasState SimpleWave::at(double x, double t) const {
   require_not_negative("time", t);
   if (double const latest = shock_formation_time(); t > latest) {
-    std::ostringstream message;
-    message << "time must not be after the shock's formation at " << latest << ", found " << t;
-    throw std::invalid_argument(message.str());
+    throw BadValue("time", "at most " + brief(latest) + ", when the shock forms", brief(t));
   }
   double const velocity = piston_velocity(departure(x, t));
   double const sound_ratio = 1.0 + 0.5 * (gamma_ - 1.0) * velocity / rest_sound_speed_;

@@ -36,7 +36,7 @@ class SimpleWave {
   double piston_velocity(double t) const;
   double shock_formation_time() const;  ///< infinite unless the piston compresses
 
-  /// Throws std::invalid_argument after the shock's formation.
+  /// Throws BadValue after the shock's formation.
   GasState at(double x, double t) const;
 
   /// Absolute accuracy of the velocity up to 0.9 of the formation time, and of density and pressure relative

@@ -10,8 +10,8 @@ namespace sphverify::exact {
 
 SlabDirichlet::SlabDirichlet(double left, double right, std::vector<Mode> modes, double conductivity,
                              double density)
-    : left_(require_finite("left temperature", left)),
-      right_(require_finite("right temperature", right)),
+    : left_(require_finite("left", left)),
+      right_(require_finite("right", right)),
       modes_(require_modes(std::move(modes))),
       diffusivity_(require_positive("conductivity", conductivity) / require_positive("density", density)) {}
 

@@ -27,7 +27,7 @@ int image_count(double length) { return static_cast<int>(0.5 * std::sqrt(negligi
 }  // namespace
 
 SlabFlux::SlabFlux(double initial, double flux, double conductivity, double density)
-    : initial_(require_finite("initial temperature", initial)),
+    : initial_(require_finite("initial", initial)),
       flux_(require_finite("flux", flux)),
       conductivity_(require_positive("conductivity", conductivity)),
       density_(require_positive("density", density)) {}

@@ -9,7 +9,7 @@
 namespace sphverify::exact {
 
 SlabInsulated::SlabInsulated(double mean, std::vector<Mode> modes, double conductivity, double density)
-    : mean_(require_finite("mean temperature", mean)),
+    : mean_(require_finite("mean", mean)),
       modes_(require_modes(std::move(modes))),
       diffusivity_(require_positive("conductivity", conductivity) / require_positive("density", density)) {}
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 #include "cases/exact/require.hpp"
 
@@ -16,9 +14,7 @@ namespace {
 double modest(double amplitude, double gamma) {
   double const limit = 1.0 / (gamma + 1.0);
   if (require_positive("amplitude", amplitude) < limit) return amplitude;
-  std::ostringstream message;
-  message << "amplitude must be below " << limit << ", found " << amplitude;
-  throw std::invalid_argument(message.str());
+  throw BadValue("amplitude", "below " + brief(limit), brief(amplitude));
 }
 
 }  // namespace
@@ -62,9 +58,7 @@ double StandingWave::origin(double x, Pair const& s) const {
 
 GasState StandingWave::at(double x, double t) const {
   if (double const latest = shock_formation_time(); require_not_negative("time", t) > latest) {
-    std::ostringstream message;
-    message << "time must not be after the shock's formation at " << latest << ", found " << t;
-    throw std::invalid_argument(message.str());
+    throw BadValue("time", "at most " + brief(latest) + ", when the shock forms", brief(t));
   }
   Pair const s = harmonics(t);
   Pair const rate = harmonic_rates(t);

@@ -46,8 +46,8 @@ double slowest(double stretch) {
 }  // namespace
 
 TwoLayer::TwoLayer(double left, double right, double contrast, double amplitude)
-    : left_(require_finite("left temperature", left)),
-      right_(require_finite("right temperature", right)),
+    : left_(require_finite("left", left)),
+      right_(require_finite("right", right)),
       contrast_(require_positive("contrast", contrast)),
       amplitude_(require_finite("amplitude", amplitude)),
       stretch_(std::sqrt(std::max(contrast, 1.0 / contrast))),

@@ -21,7 +21,7 @@ struct Units {
 template <int Dim>
 class UnitFactors {
  public:
-  /// Throws std::invalid_argument unless all are positive, finite and as precise as other numbers.
+  /// Throws BadValue unless all are positive, finite and as precise as other numbers.
   explicit UnitFactors(Units const& units) : units_(units) {
     density = units.mass;
     for (int k = 0; k < Dim; ++k) density /= units.length;
@@ -36,8 +36,7 @@ class UnitFactors {
                                 energy, pressure, acceleration, heating, flux, conductivity}) {
       exact::require_positive("every unit", factor);
       if (!std::isnormal(factor)) {
-        throw std::invalid_argument("units must leave derived ones above 1e-307, found " +
-                                    std::to_string(factor));
+        throw BadValue("every derived unit", "above 1e-307", exact::brief(factor));
       }
     }
   }

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cases/exact/gas_state.hpp"
+#include "cases/exact/require.hpp"
 #include "cases/support/boxes.hpp"
 #include "cases/support/problem.hpp"
 
@@ -68,8 +69,8 @@ void make_periodic(Problem<Dim>& problem) {
 /// A time that a parameter must leave the solution.
 inline void require_before(double final_time, double limit, std::string const& event) {
   if (final_time < limit) return;
-  throw std::invalid_argument("final_time must be less than " + std::to_string(limit) + ", when " + event +
-                              ", found " + std::to_string(final_time));
+  throw BadValue("final_time", "less than " + exact::brief(limit) + ", when " + event,
+                 exact::brief(final_time));
 }
 
 }  // namespace sphverify

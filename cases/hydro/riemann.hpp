@@ -61,19 +61,20 @@ struct RiemannProblem {
     for (Preset const& preset : presets) names.emplace_back(preset.name);
     if (p.list("left").empty() && p.list("right").empty()) {
       std::string const& name = p.one_of("preset", names);
-      if (name == "custom") throw std::invalid_argument("preset custom needs left and right");
+      if (name == "custom")
+        throw BadValue("preset", "another, or custom beside left and right", "custom without them");
       return *std::find_if(presets.begin(), presets.end(),
                            [&](Preset const& one) { return one.name == name; });
     }
     // Two states make the preset custom without a word; who names another wants something else.
     if (p.is_given("preset") && p.one_of("preset", names) != "custom")
-      throw std::invalid_argument("preset has no effect beside left and right; leave out one or the other");
+      throw BadValue("preset", "custom or none, since it has no effect beside left and right", "");
     double const gamma = exact::require_above("gamma", p.number("gamma"), 1.0);
     auto const state = [&](char const* side) -> exact::GasState {
       std::vector<double> const& values = p.list(side);
       if (values.size() != 3) {
-        throw std::invalid_argument(std::string(side) + " must be [density, velocity, pressure], found " +
-                                    std::to_string(values.size()) + " numbers");
+        throw BadValue(side, "[density, velocity, pressure]",
+                       values.empty() ? "nothing" : "a list of " + std::to_string(values.size()));
       }
       return {values[0], values[1], values[2]};
     };
@@ -85,7 +86,7 @@ struct RiemannProblem {
     exact::Riemann const riemann(states.left, states.right, states.gamma);
     double const interface = p.number("interface");
     if (!(interface > 0.0 && interface < 1.0)) {
-      throw std::invalid_argument("interface must be between 0 and 1, found " + std::to_string(interface));
+      throw BadValue("interface", "between 0 and 1", exact::brief(interface));
     }
     double const end = exact::require_not_negative("final_time", p.number("final_time"));
     double const final_time = end > 0.0 ? end : states.final_time;

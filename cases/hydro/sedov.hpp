@@ -63,9 +63,10 @@ struct SedovExplosion {
       double const slowest = sedov.shock_speed(final_time);
       double const ram_pressure = density * slowest * slowest;
       if (background > weakest * ram_pressure) {
-        throw std::invalid_argument("pressure must be at most " + std::to_string(weakest * ram_pressure) +
-                                    " for the shock to be strong until final_time, found " +
-                                    std::to_string(background));
+        throw BadValue("pressure",
+                       "at most " + exact::brief(weakest * ram_pressure) +
+                           " for the shock to be strong until final_time",
+                       exact::brief(background));
       }
 
       Problem<Dim> problem;

@@ -24,8 +24,7 @@ struct OperatorPolynomial {
   }
   static AnyProblem problem(Parameters const& p) {
     int const degree = p.integer("degree");
-    if (degree < 0)
-      throw std::invalid_argument("degree must not be negative, found " + std::to_string(degree));
+    if (degree < 0) throw BadValue("degree", "0 or more", std::to_string(degree));
     return in_dimension(p.integer("dimension"), [&]<int Dim>() -> AnyProblem {
       return operator_problem<Dim>(exact::PolynomialProfile(degree));
     });

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,7 +38,7 @@ struct CaseInfo {
 /// A case of the list `AllCases` behind a common face.
 struct Case {
   CaseInfo info;
-  AnyProblem (*problem)(Parameters const&);  ///< throws std::invalid_argument for values that make no sense
+  AnyProblem (*problem)(Parameters const&);  ///< throws BadValue for values that make no sense
 };
 
 /// All cases, in the order of the list.
@@ -49,12 +48,13 @@ std::vector<Case> const& all_cases();
 Case const* find_case(std::string_view id);
 
 /// The parameters that the case looks at, of these: the others change nothing, such as the gamma of custom
-/// states beside a preset that has its own. Throws std::invalid_argument if the user gave one of the others,
-/// and as the case does for values that make no sense.
+/// states beside a preset that has its own. Throws BadValue if the user gave one of the others, and as the
+/// case does for values that make no sense.
 Parameters in_use(Case const& one, Parameters const& parameters);
 
-/// The parameters for a question about one time [s]: their `final_time` is that time, or what the user gave
-/// if that is later, so that a case judges what was asked and not a default that nobody asked for.
+/// The parameters for a question about one time [s]: their `final_time` is that time, so that a case judges
+/// what was asked and not a default that nobody asked for. Throws BadValue if a final time is given beside
+/// it.
 Parameters until(Case const& one, Parameters const& parameters, double time);
 
 /// Dispatches on the `dimension` parameter: calls make.operator()<Dim>() for 1, 2 or 3.
@@ -68,7 +68,7 @@ AnyProblem in_dimension(int dimension, Make const& make) {
     case 3:
       return make.template operator()<3>();
     default:
-      throw std::invalid_argument("dimension must be 1, 2 or 3, found " + std::to_string(dimension));
+      throw BadValue("dimension", "1, 2 or 3", std::to_string(dimension));
   }
 }
 

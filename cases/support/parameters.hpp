@@ -4,11 +4,12 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "cases/exact/bad_value.hpp"
 
 namespace sphverify {
 
@@ -57,13 +58,13 @@ class Parameters {
     return std::get<std::vector<double>>(look_up(name));
   }
 
-  /// A word, one of those allowed. Throws std::invalid_argument.
+  /// A word, one of those allowed. Throws BadValue.
   std::string const& one_of(std::string const& name, std::vector<std::string> const& allowed) const {
     std::string const& word = std::get<std::string>(look_up(name));
     if (std::find(allowed.begin(), allowed.end(), word) != allowed.end()) return word;
-    std::string message = name + " must be one of";
-    for (std::string const& one : allowed) message += " " + one;
-    throw std::invalid_argument(message + ", found " + word);
+    std::string expected;
+    for (std::string const& one : allowed) expected += (expected.empty() ? "one of " : ", ") + one;
+    throw BadValue(name, expected, "'" + word + "'");
   }
 
   std::vector<std::vector<double>> const& table(std::string const& name) const {

@@ -7,6 +7,7 @@
 
 #include "cases/support/case.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/study/parameter_complaint.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/listed_identifiers.hpp"
 
@@ -151,6 +152,7 @@ void exact(ExactCommand const& command) {
                    {"case", found->info.id},
                    {"parameters", nullptr},
                    {"time", command.time}};
+  std::string const place = "exact: " + found->info.id;
   try {
     Parameters used = in_use(*found, until(*found, given, command.time));
     AnyProblem const problem = found->problem(used);
@@ -160,8 +162,17 @@ void exact(ExactCommand const& command) {
     document["parameters"] = parameters_json(used.all());
     document.update(std::visit(
         [&](auto const& p) { return exact_in_dimension(p, command.time, command.points); }, problem));
+  } catch (BadValue const& error) {
+    bool const is_time = parameter_of(error, found->info) == "final_time" && !given.is_given("final_time");
+    if (is_time) throw UserError(place, "--time", fmt::format("{:g}", command.time), error.expected);
+    Json values = Json::object();
+    for (std::string const& assignment : command.parameters) {
+      std::size_t const equals = assignment.find('=');
+      values[assignment.substr(0, equals)] = parse_value(assignment.substr(equals + 1));
+    }
+    throw parameter_complaint(error, found->info, place, "--parameter ", &values);
   } catch (std::invalid_argument const& error) {
-    throw UserError(fmt::format("exact: {}: {}", found->info.id, error.what()));
+    throw UserError(place, "--parameter", error.what(), "values for which the case has a solution");
   }
   write_document("-", document_text(document));
 }
@@ -179,8 +190,10 @@ void add_exact(CLI::App& app) {
   sub->add_option("-t,--time", command->time, "Time")->required();
   sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions")->required();
   sub->footer(
-      "A parameter that is given and has no effect is refused. The case need only make sense until the time "
-      "asked for, or until the final_time that is given if that is later.\n"
+      "A parameter that is given and has no effect is refused, final_time among them: the case need only "
+      "make "
+      "sense until the time asked for.
+      "
       "Example: sphverify exact conduction/marshak --parameter exponent=3 --time 0.5 --points 0,0.2,0.4");
   sub->callback([command] { exact(*command); });
 }

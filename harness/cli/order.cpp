@@ -50,7 +50,8 @@ std::string floor_text(ObservedOrder const& observed) {
 }
 
 std::string target_text(TargetResolution const& target) {
-  if (target.resolution) return fmt::format("{:.3g}", *target.resolution);
+  if (target.resolution)
+    return fmt::format("{}{:.3g}", target.remark == coarsest_has_it ? "<=" : "", *target.resolution);
   return target.remark.starts_with("never") ? "never" : "-";
 }
 
@@ -99,8 +100,9 @@ void add_order(CLI::App& app) {
   sub->add_option(
          "TABLE.csv", command->table,
          "Comma-separated: a line of names, N (particles along an axis) or spacing among them, seed if "
-         "there are replicates, every other an error (empty or nan: the run failed); - is standard "
-         "input")
+         "there are replicates, every other an error (empty or nan: the run failed); levels differ by 1e-6 "
+         "or "
+         "more of themselves; - is standard input")
       ->required();
   sub->add_option("--format", command->format, "table or json")->check(one_of_words({"table", "json"}));
   sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
+#include "harness/study/no_effect.hpp"
 #include "harness/study/run_study.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -29,7 +30,9 @@ void stop_on_signals() {
 void study(StudyCommand const& command) {
   require_writable(command.options.output, command.document);
   Json const json = read_json_file(command.document);
-  Study const read = read_study(Node(json, command.document));
+  Node const document(json, command.document);
+  Study const read = read_study(document);
+  require_effects(read, document);
   stop_on_signals();
   StudyOptions options = command.options;
   options.document = command.document;

@@ -12,11 +12,20 @@ namespace sphverify {
 
 namespace {
 
+constexpr double farthest = 1e100;  // [m]
+
 template <int Dim>
 Vector<Dim> read_vector(Node const& node) {
   std::vector<double> const values = node.numbers();
   if (values.size() != Dim) node.complain(fmt::format("a list of {} numbers", Dim));
   return Eigen::Map<Vector<Dim> const>(values.data());
+}
+
+/// Of a size that squares and cubes to a number.
+template <int Dim>
+Vector<Dim> read_place(Node const& node) {
+  for (Node const& coordinate : node.elements()) coordinate.number_between(-farthest, farthest);
+  return read_vector<Dim>(node);
 }
 
 void require_length(Node const& node, std::size_t count) {
@@ -36,7 +45,9 @@ void read_field(Node const& particles_node, FieldInfo const& field, Particles<Di
   auto const elements = node->elements();
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (field.is_vector) {
-      particles.vector(field.field).set(i, read_vector<Dim>(elements[i]));
+      bool const is_place = field.field == Field::position;
+      particles.vector(field.field)
+          .set(i, is_place ? read_place<Dim>(elements[i]) : read_vector<Dim>(elements[i]));
     } else if (field.field == Field::mass || field.field == Field::density) {
       particles.scalar(field.field)[i] = elements[i].positive_number();
     } else {
@@ -50,7 +61,7 @@ Wall<Dim> read_wall(Node const& node) {
   node.require_keys(
       {"point", "outward_normal", "pressure", "velocity", "temperature", "conductivity", "flux"});
   Wall<Dim> wall;
-  wall.point = read_vector<Dim>(node.at("point"));
+  wall.point = read_place<Dim>(node.at("point"));
   wall.outward_normal = read_vector<Dim>(node.at("outward_normal"));
   double const length = wall.outward_normal.norm();
   if (std::abs(length - 1.0) > 1e-6) {
@@ -84,6 +95,7 @@ void read_periodic(Node const& node, Domain<Dim>& domain) {
   for (int k = 0; k < Dim; ++k) {
     if (axes[k].is_null()) continue;
     auto const ends = axes[k].numbers();
+    for (Node const& end : axes[k].elements()) end.number_between(-farthest, farthest);
     if (ends.size() != 2 || !(ends[1] > ends[0])) axes[k].complain("[lower, upper] or null");
     domain.periodic[k] = true;
     domain.lower[k] = ends[0];
@@ -140,12 +152,13 @@ State<Dim> read_state(Node const& document) {
   std::size_t const count = node.at("position").elements().size();
   if (count == 0) node.at("position").complain("at least one particle");
 
-  State<Dim> state{Particles<Dim>(count, node.at("smoothing_length").positive_number()),
-                   {Vector<Dim>::Zero(), Vector<Dim>::Zero(), {}},
-                   {},
-                   DensityRule::given,
-                   FaceWeight::exact,
-                   Closure::interpolated};
+  State<Dim> state{
+      Particles<Dim>(count, node.at("smoothing_length").number_between(1.0 / farthest, farthest)),
+      {Vector<Dim>::Zero(), Vector<Dim>::Zero(), {}},
+      {},
+      DensityRule::given,
+      FaceWeight::exact,
+      Closure::interpolated};
   node.at("mass");
   Node const density = node.at("density");
   for (FieldInfo const& field : field_infos) {

@@ -299,18 +299,32 @@ void read_limit(Node const& node, std::optional<Node> const& common_baseline, Ga
   gate.limit.baseline = beside(node.file(), read_line(baseline ? *baseline : *common_baseline));
 }
 
+GateMeasure measure_of(std::string const& word) {
+  Words const& words = gate_measure_words();
+  return static_cast<GateMeasure>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+/// Of a gate without a measure every measure's keys are known: what it has and no gate has is named before
+/// what it lacks.
+void require_gate_keys(Node const& node) {
+  if (!node.is_object()) node.complain("an object");
+  Words known{"name", "select",   "measure",  "minimum", "maximum", "equals", "within",
+              "runs", "at_least", "baseline", "expect",  "reason",  "note"};
+  auto const found = node.find("measure");
+  Words const measures = found ? Words{found->word(gate_measure_words())} : gate_measure_words();
+  for (std::string const& word : measures) {
+    for (std::string const& key : keys_of(measure_of(word))) {
+      if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
+    }
+  }
+  node.require_keys(known);
+}
+
 Gate read_gate(Node const& node, std::optional<Node> const& common_baseline) {
   Gate gate;
   gate.key = node.key();
-  if (!node.is_object()) node.complain("an object");
-  std::string const measure = node.at("measure").word(gate_measure_words());
-  auto const& words = gate_measure_words();
-  gate.measure = static_cast<GateMeasure>(std::find(words.begin(), words.end(), measure) - words.begin());
-  Words known{"name", "select",   "measure",  "minimum", "maximum", "equals", "within",
-              "runs", "at_least", "baseline", "expect",  "reason",  "note"};
-  Words const of_measure = keys_of(gate.measure);
-  known.insert(known.end(), of_measure.begin(), of_measure.end());
-  node.require_keys(known);
+  require_gate_keys(node);
+  gate.measure = measure_of(node.at("measure").string());
   gate.name = read_line(node.at("name"));
   if (auto const note = node.find("note")) note->string();
   gate.select = read_select(node.at("select"));

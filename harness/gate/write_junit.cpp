@@ -4,16 +4,26 @@
 #include <algorithm>
 
 #include "harness/gate/write_verdicts.hpp"
+#include "reports/printable.hpp"
 
 namespace sphverify {
 
 namespace {
 
-/// For text and attributes of XML 1.0, which cannot hold most control characters at all.
+/// For text and attributes of XML 1.0, which cannot hold most control characters at all, nor U+FFFE, U+FFFF
+/// and bytes that are not UTF-8.
 std::string xml(std::string_view text) {
   std::string escaped;
-  for (char const c : text) {
-    if (c == '&') {
+  while (!text.empty()) {
+    std::size_t const size = std::max<std::size_t>(1, utf8_size(text));
+    std::string_view const character = text.substr(0, size);
+    char const c = text.front();
+    text.remove_prefix(size);
+    if (character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF" || utf8_size(character) == 0) {
+      escaped += "\xEF\xBF\xBD";  // U+FFFD, which stands for what cannot be shown
+    } else if (size > 1) {
+      escaped += character;
+    } else if (c == '&') {
       escaped += "&amp;";
     } else if (c == '<') {
       escaped += "&lt;";

@@ -10,6 +10,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "reports/user_error.hpp"
 
@@ -17,23 +18,15 @@ namespace sphverify {
 
 namespace {
 
-constexpr double smallest = 1e-30, largest = 1e30;  // of N and spacings
-constexpr double double_round_off = 1e-300;         // an error of 0 says nothing of the order
+constexpr double smallest = 1e-30, largest = 1e30;            // of N and spacings
+constexpr double least_difference = 1e-6;                     // of two spacings, relative
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // some programs begin UTF-8 with it
+constexpr double double_round_off = 1e-300;                   // an error of 0 says nothing of the order
 
 std::string trimmed(std::string const& text) {
   std::size_t const first = text.find_first_not_of(" \t\r");
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-std::vector<std::string> cells_of(std::string const& line) {
-  std::vector<std::string> cells;
-  for (std::size_t from = 0; from <= line.size();) {
-    std::size_t const to = std::min(line.find(',', from), line.size());
-    cells.push_back(trimmed(line.substr(from, to - from)));
-    from = to + 1;
-  }
-  return cells;
 }
 
 /// Where a cell stands, for complaints.
@@ -46,6 +39,35 @@ struct Place {
     throw UserError(fmt::format("{}:{}", file, line), column, found, expected);
   }
 };
+
+/// The cell that begins at `from`, which is moved behind the comma after it. Within quotation marks a comma
+/// is text, and two marks are one.
+std::string next_cell(std::string const& line, std::size_t& from, Place const& place) {
+  std::size_t const first = line.find_first_not_of(" \t", from);
+  if (first == std::string::npos || line[first] != '"') {
+    std::size_t const to = std::min(line.find(',', from), line.size());
+    std::string const cell = trimmed(line.substr(from, to - from));
+    from = to + 1;
+    return cell;
+  }
+  std::string cell;
+  std::size_t k = first + 1;
+  for (; k < line.size() && !(line[k] == '"' && (k + 1 == line.size() || line[k + 1] != '"')); ++k) {
+    cell += line[k];
+    if (line[k] == '"') ++k;
+  }
+  std::size_t const to = std::min(line.find(',', k), line.size());
+  if (k >= line.size() || !trimmed(line.substr(k + 1, to - k - 1)).empty())
+    place.complain("'" + trimmed(line.substr(first)) + "'", "a quotation mark at either end of a cell");
+  from = to + 1;
+  return trimmed(cell);
+}
+
+std::vector<std::string> cells_of(std::string const& line, Place const& place) {
+  std::vector<std::string> cells;
+  for (std::size_t from = 0; from <= line.size();) cells.push_back(next_cell(line, from, place));
+  return cells;
+}
 
 std::optional<double> number_in(std::string const& cell, Place const& place) {
   if (cell.empty() || cell == "nan" || cell == "NaN") return std::nullopt;
@@ -88,6 +110,22 @@ Header read_header(std::vector<std::string> const& names, Place const& place) {
   return header;
 }
 
+/// The order between two levels that hardly differ is that of their rounding.
+void require_apart(std::set<std::pair<double, double>> const& runs, std::string const& name,
+                   bool is_resolution, std::string const& file) {
+  double before = 0.0;
+  for (auto const& [spacing, seed] : runs) {
+    if (spacing != before && before > 0.0 && spacing < before * (1.0 + least_difference)) {
+      auto const shown = [&](double d) {
+        return is_resolution ? fmt::format("{:.15g}", 1.0 / d) : fmt::format("{}", d);
+      };
+      throw UserError(file, name, fmt::format("{} and {}", shown(before), shown(spacing)),
+                      fmt::format("levels that differ by {:g} of themselves or more", least_difference));
+    }
+    before = spacing;
+  }
+}
+
 }  // namespace
 
 std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string const& file) {
@@ -101,8 +139,9 @@ std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string cons
   std::set<std::pair<double, double>> runs;
   std::string line;
   for (std::size_t number = 1; std::getline(text, line); ++number) {
+    if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    std::vector<std::string> const cells = cells_of(line);
+    std::vector<std::string> const cells = cells_of(line, {file, number, "columns"});
     if (!header) {
       header = read_header(cells, {file, number, "names"});
       errors.resize(cells.size());
@@ -140,6 +179,7 @@ std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string cons
   }
   if (!header) throw UserError(file, "names", "an empty table", "a line of names and lines of numbers");
   if (runs.empty()) throw UserError(file, "rows", "none", "one line of numbers per run");
+  require_apart(runs, header->names[header->spacing], header->is_resolution, file);
   std::vector<LadderColumn> columns;
   for (std::size_t k = 0; k < header->names.size(); ++k) {
     if (k == header->spacing || (header->seed && k == *header->seed)) continue;

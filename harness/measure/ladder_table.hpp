@@ -16,7 +16,8 @@ struct LadderColumn {
 
 /// Reads comma-separated values. The first line names the columns: `N` (particles along an axis, spacing 1/N)
 /// or `spacing`, `seed` if wanted, and errors. Lines that begin with # are left out, an empty cell or `nan`
-/// is a run without an error. Throws UserError with file, line and column.
+/// is a run without an error. A cell may stand in quotation marks, and the text begin with a byte order mark.
+/// Levels differ by 1e-6 of themselves or more. Throws UserError with file, line and column.
 std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string const& file);
 
 /// The same from a file, or from standard input where it is called `-`.

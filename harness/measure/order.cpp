@@ -324,7 +324,7 @@ TargetResolution resolution_for(ObservedOrder const& observed, double error, Lad
   double low = extent.coarsest, high = farthest * extent.finest;
   if (at(low) <= error) {
     target.resolution = low;
-    target.remark = "the coarsest level has it";
+    target.remark = coarsest_has_it;
     return target;
   }
   if (at(high) > error) {

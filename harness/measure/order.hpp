@@ -45,6 +45,7 @@ struct LadderExtent {
 LadderExtent extent_of(std::vector<LadderLevel> const& levels, double times_spacing);
 
 /// Where the fitted law comes down to an error; never, where that lies below the floor.
+inline constexpr char const* coarsest_has_it = "the coarsest level has it";
 TargetResolution resolution_for(ObservedOrder const& observed, double error, LadderExtent const& extent);
 
 /// The rules of the verdicts, as `describe` prints them.

@@ -1,7 +1,8 @@
 #include "harness/study/envelope.hpp"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "cases/exact/bad_value.hpp"
 
 namespace sphverify {
 
@@ -11,20 +12,23 @@ RunSpec with_value(RunSpec spec, EnvelopeChoice const& choice, double value) {
     spec.discretisation.smoothing_ratio = value;
   } else if (choice.parameter == "amplitude") {
     if (spec.discretisation.layout.id != "jittered")
-      throw std::invalid_argument("amplitude needs a jittered layout");
+      throw BadValue("amplitude", "one of a jittered layout", "");
     spec.discretisation.layout.amplitude = value;
   } else {
     auto const known = spec.parameters.all().find(choice.parameter);
     for (ParameterSpec const& parameter : spec.scene_case->info.parameters) {
       if (parameter.name != choice.parameter) continue;
       if (parameter.integer)
-        throw std::invalid_argument(choice.parameter + " is a whole number: it cannot be halved at will");
+        throw BadValue(choice.parameter, "no whole number, which cannot be halved at will", "");
       if (known == spec.parameters.all().end())
-        throw std::invalid_argument(choice.parameter + " has no effect beside the parameters of " +
-                                    spec.scene_case->info.id + " (it is: " + parameter.meaning + ")");
+        throw BadValue(choice.parameter,
+                       "another one, since it has no effect beside the parameters of " +
+                           spec.scene_case->info.id + " (it is: " + parameter.meaning + ")",
+                       "");
     }
     if (known == spec.parameters.all().end() || !std::holds_alternative<double>(known->second)) {
-      throw std::invalid_argument(spec.scene_case->info.id + " has no number " + choice.parameter);
+      throw BadValue(choice.parameter,
+                     "smoothing_ratio, amplitude or a number of " + spec.scene_case->info.id, "");
     }
     spec.parameters.give(choice.parameter, value);
   }

@@ -15,7 +15,7 @@ struct EnvelopeChoice {
   int bisections = 6;
 };
 
-/// A run with another value of the parameter. Throws std::invalid_argument if it has no such parameter.
+/// A run with another value of the parameter. Throws BadValue if it has no such parameter.
 RunSpec with_value(RunSpec spec, EnvelopeChoice const& choice, double value);
 
 /// Tries `to`; if that fails, `from`; if that holds, halves what lies between as often as asked for. A run

@@ -5,6 +5,7 @@
 
 #include "formulations/rate_operator.hpp"
 #include "harness/study/memory.hpp"
+#include "harness/study/wall_facts.hpp"
 
 namespace sphverify {
 
@@ -41,20 +42,6 @@ bool integrates(CaseKind kind, std::string const& integrator) {
   bool const at_rest =
       integrator == "bdf" || integrator == "implicit-runge-kutta" || integrator == "runge-kutta-chebyshev";
   return at_rest != moves(kind);
-}
-
-/// Whether a wall goes with the gas that it pushes.
-bool has_free_wall(AnyProblem const& problem) {
-  return std::visit(
-      [](auto const& p) {
-        return std::any_of(p.walls.begin(), p.walls.end(),
-                           [](auto const& wall) { return wall.pressure && !wall.velocity && !wall.path; });
-      },
-      problem);
-}
-
-bool has_walls(AnyProblem const& problem) {
-  return std::visit([](auto const& p) { return !p.walls.empty(); }, problem);
 }
 
 /// Whether a study left a choice open, so that what does not suit a case goes without saying.

@@ -66,7 +66,7 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
     if (start == 0 && (line.is_discarded() || !line.is_object() || line.value("schema", "") != schema)) {
       throw UserError(path_, "", "something else", "the journal of a study");
     }
-    if (start == 0 && line.at("study") != study) {
+    if (start == 0 && (!line.contains("study") || line.at("study") != study)) {
       throw UserError(path_, "study", "the journal of another study",
                       "this one's: resume with the same document, or without --resume to start afresh");
     }
@@ -100,6 +100,23 @@ void Journal::read_line(Json const& line) {
   } else {
     finished_[index] = std::move(record);
   }
+}
+
+void Journal::require_same(std::size_t index, RunSpec const& spec) const {
+  auto const finished = finished_.find(index);
+  auto const awaits = awaiting_.find(index);
+  if (finished == finished_.end() && awaits == awaiting_.end()) return;
+  RunRecord const& r = finished == finished_.end() ? awaits->second.record : finished->second;
+  if (r.case_id == spec.scene_case->info.id && r.parameters == spec.parameters.all() &&
+      r.formulation == spec.formulation && r.discretisation == spec.discretisation &&
+      r.smoothing_exponent == spec.smoothing_exponent && r.resolution == spec.resolution)
+    return;
+  throw UserError(
+      path_, fmt::format("run {}", index),
+      fmt::format("a record of another run, {} on {} at resolution {}", r.label, r.case_id, r.resolution),
+      fmt::format("that of {} on {} at resolution {}, with its parameters and discretisation; without "
+                  "--resume the study starts afresh",
+                  spec.label, spec.scene_case->info.id, spec.resolution));
 }
 
 void Journal::write_lines(std::string const& lines) {

@@ -37,6 +37,9 @@ class Journal {
   /// journal of another study throws UserError. Without, it starts afresh.
   Journal(std::string path, Json const& study, bool resume);
 
+  /// Throws UserError if what is known of a run is of another one: somebody edited the journal.
+  void require_same(std::size_t index, RunSpec const& spec) const;
+
   /// Runs that were finished before, by their index in the study.
   std::map<std::size_t, RunRecord> const& finished() const { return finished_; }
 

@@ -107,7 +107,10 @@ void run_study(Study const& study, StudyOptions const& options) {
   };
   // Of an envelope: which value is tried next depends on what became of the one before.
   auto const carry_out = [&](RunSpec const& spec, std::size_t index) {
-    if (RunRecord const* const known = finished_before(index)) return *known;
+    if (RunRecord const* const known = finished_before(index)) {
+      journal->require_same(index, spec);
+      return *known;
+    }
     if (options.interrupted && *options.interrupted) throw Interrupted();
     RunRecord record = execute(spec, run_options);
     if (journal) journal->append(index, record);
@@ -119,6 +122,7 @@ void run_study(Study const& study, StudyOptions const& options) {
   std::size_t const stride = study.envelope ? static_cast<std::size_t>(most_runs(*study.envelope)) : 1;
   std::vector<std::size_t> todo;
   for (std::size_t k = 0; k < units; ++k) {
+    if (journal && !study.envelope) journal->require_same(k, expansion.runs[k]);
     RunRecord const* const known = study.envelope ? nullptr : finished_before(k);
     if (known) {
       records[k] = {*known};

@@ -11,8 +11,9 @@
 #include "harness/scene/choices.hpp"
 #include "harness/study/available_memory.hpp"
 #include "harness/study/memory.hpp"
+#include "harness/study/read_case.hpp"
+#include "harness/study/read_envelope.hpp"
 #include "reports/json/results_json.hpp"
-#include "reports/listed_identifiers.hpp"
 
 namespace sphverify {
 
@@ -40,12 +41,6 @@ namespace {
 
 constexpr int most_repeats = 1000;
 
-std::vector<std::string> case_ids() {
-  std::vector<std::string> ids;
-  for (Case const& one : all_cases()) ids.push_back(one.info.id);
-  return ids;
-}
-
 std::vector<std::string> scheme_ids(std::string_view prefix = "") {
   std::vector<std::string> ids;
   for (SchemeInfo const* scheme : all_scheme_infos()) {
@@ -58,48 +53,6 @@ std::vector<std::string> measure_names() {
   std::vector<std::string> names;
   for (MeasureWord const& word : measure_words()) names.emplace_back(word.word);
   return names;
-}
-
-std::string read_identifier(Node const& node, std::vector<std::string> const& known,
-                            char const* listing_command) {
-  std::string const found = node.is_string() ? node.string() : "";
-  if (std::find(known.begin(), known.end(), found) == known.end())
-    node.complain(one_listed_by(listing_command, found, known));
-  return found;
-}
-
-/// Lets the case itself check what its parameters mean, and drops those that mean nothing beside the others.
-/// What was given and means nothing is the user's error.
-void require_sensible(StudyCase& choice, Node const& node) {
-  try {
-    choice.parameters = in_use(*choice.scene_case, choice.parameters);
-    AnyProblem const problem = choice.scene_case->problem(choice.parameters);
-    double const final_time = std::visit([](auto const& p) { return p.final_time; }, problem);
-    if (choice.scene_case->info.kind != CaseKind::rates && !(final_time > 0.0)) {
-      throw std::invalid_argument("final_time must be positive, found " + std::to_string(final_time));
-    }
-  } catch (std::invalid_argument const& error) {
-    throw UserError(node.file() + ": " + node.key() + ": " + error.what());
-  }
-}
-
-StudyCase read_case(Node const& node) {
-  bool const bare = node.is_string();
-  if (!bare) node.require_keys({"id", "parameters"});
-  std::string const id = read_identifier(bare ? node : node.at("id"), case_ids(), "sphverify list cases");
-  Case const* const found = find_case(id);
-  StudyCase choice{found, Parameters(found->info.parameters)};
-  if (auto const parameters = bare ? std::nullopt : node.find("parameters")) {
-    std::vector<std::string> names;
-    for (ParameterSpec const& spec : found->info.parameters) names.push_back(spec.name);
-    parameters->require_keys(names);
-    for (ParameterSpec const& spec : found->info.parameters) {
-      if (auto const value = parameters->find(spec.name))
-        choice.parameters.give(spec.name, read_parameter(*value, spec));
-    }
-  }
-  require_sensible(choice, node);
-  return choice;
 }
 
 FormulationChoice read_study_formulation(Node const& node) {
@@ -151,7 +104,8 @@ std::vector<LayoutChoice> read_layout(Node const& node) {
     node.require_keys({"id"});
     return {{id}};
   }
-  if (id == "glass") node.require_keys({"id", "seed", "seeds"});
+  node.require_keys(id == "glass" ? std::vector<std::string>{"id", "seed", "seeds"}
+                                  : std::vector<std::string>{"id", "amplitude", "seed", "seeds"});
   double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
   if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
   auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
@@ -287,50 +241,6 @@ Json to_json(RepeatRule const& rule) {
   return {{"most", rule.most}, {"least", rule.least}, {"spread", rule.spread}, {"seconds", rule.seconds}};
 }
 
-/// Both ends are to make sense for every case.
-EnvelopeChoice read_envelope(Node const& node, Study const& study) {
-  node.require_keys({"parameter", "from", "to", "scale", "bisections"});
-  EnvelopeChoice choice;
-  choice.parameter = node.at("parameter").string();
-  choice.from = node.at("from").number();
-  choice.to = node.at("to").number();
-  if (auto const scale = node.find("scale"))
-    choice.logarithmic = scale->word({"linear", "logarithmic"}) == "logarithmic";
-  if (auto const bisections = node.find("bisections"))
-    choice.bisections = static_cast<int>(bisections->integer(0, 60));
-  if (choice.logarithmic && !(choice.from > 0.0 && choice.to > 0.0))
-    node.at("scale").complain("linear, unless both ends are positive");
-  if (choice.from == choice.to) node.at("to").complain("another value than from");
-  if (choice.parameter == "smoothing_ratio") {
-    for (char const* end : {"from", "to"}) node.at(end).positive_number();
-    return choice;
-  }
-  if (choice.parameter == "amplitude") {
-    for (char const* end : {"from", "to"}) node.at(end).number_between(0.0, 0.499999);
-    for (LayoutChoice const& layout : study.layouts) {
-      if (layout.id != "jittered")
-        node.at("parameter").complain("jittered layouts only, which have an amplitude");
-    }
-    return choice;
-  }
-  for (StudyCase const& one : study.cases) {
-    RunSpec const spec{
-        one.scene_case, one.parameters, FormulationChoice(), "", Discretisation(), 0.0, 0, 0.0};
-    auto const driven_to = [&](char const* end) {
-      try {
-        return with_value(spec, choice, node.at(end).number()).parameters;
-      } catch (std::invalid_argument const& error) {
-        throw UserError(node.file() + ": " + node.key() + ": " + error.what());
-      }
-    };
-    for (char const* end : {"from", "to"}) {
-      StudyCase driven{one.scene_case, driven_to(end)};
-      require_sensible(driven, node);
-    }
-  }
-  return choice;
-}
-
 }  // namespace
 
 Study read_study(Node const& document) {
@@ -394,7 +304,7 @@ Study read_study(Node const& document) {
     study.viscosities = {std::nullopt};
   }
   study.smoothing_ratios = read_numbers(find_choice(document, "smoothing_ratio"), 1.2,
-                                        [](Node const& node) { return node.positive_number(); });
+                                        [](Node const& node) { return read_smoothing_ratio(node); });
   if (auto const layouts = find_choice(document, "layout")) {
     for (Node const& node : layouts->one_or_many()) {
       for (LayoutChoice const& layout : read_layout(node)) {
@@ -424,7 +334,9 @@ Study read_study(Node const& document) {
     for (Node const& node : measures->one_or_many()) {
       std::string const word = node.word(measure_names());
       for (MeasureWord const& known : measure_words()) {
-        if (known.word == word) study.measure.insert(known.measure);
+        if (known.word != word) continue;
+        if (study.measure.contains(known.measure)) node.complain("every measure only once");
+        study.measure.insert(known.measure);
       }
     }
   }

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <iterator>
 
+#include "reports/json/case_number.hpp"
 #include "reports/json/syntax.hpp"
 #include "reports/printable.hpp"
 
@@ -163,15 +164,33 @@ std::vector<double> Node::numbers() const {
   return values;
 }
 
+double read_case_number(Node const& node) {
+  constexpr double smallest = 1e-100, largest = 1e100;
+  double const value = node.number();
+  if (value != 0.0 && !(std::abs(value) >= smallest && std::abs(value) <= largest))
+    node.complain("0 or a number of a size from 1e-100 to 1e100");
+  return value;
+}
+
+namespace {
+
+std::vector<double> case_numbers(Node const& node) {
+  std::vector<double> values;
+  for (Node const& element : node.elements()) values.push_back(read_case_number(element));
+  return values;
+}
+
+}  // namespace
+
 ParameterValue read_parameter(Node const& node, ParameterSpec const& spec) {
   if (std::holds_alternative<double>(spec.default_value)) {
     constexpr std::int64_t limit = std::int64_t{1} << 31;
-    return spec.integer ? static_cast<double>(node.integer(-limit, limit)) : node.number();
+    return spec.integer ? static_cast<double>(node.integer(-limit, limit)) : read_case_number(node);
   }
   if (std::holds_alternative<std::string>(spec.default_value)) return node.string();
-  if (std::holds_alternative<std::vector<double>>(spec.default_value)) return node.numbers();
+  if (std::holds_alternative<std::vector<double>>(spec.default_value)) return case_numbers(node);
   std::vector<std::vector<double>> table;
-  for (Node const& row : node.elements()) table.push_back(row.numbers());
+  for (Node const& row : node.elements()) table.push_back(case_numbers(row));
   return table;
 }
 

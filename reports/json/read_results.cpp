@@ -1,23 +1,11 @@
-#include <limits>
-
+#include "reports/json/checked_numbers.hpp"
 #include "reports/json/lists_json.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/json/series_json.hpp"
 #include "reports/json/surface_json.hpp"
 #include "reports/run_statuses.hpp"
 
 namespace sphverify {
-
-namespace {
-
-constexpr std::int64_t any_count = std::numeric_limits<std::int64_t>::max();
-
-Number optional_number(Node const& node) { return node.is_null() ? Number() : Number(node.number()); }
-
-std::string optional_string(Node const& node) { return node.is_null() ? "" : node.string(); }
-
-std::uint64_t count(Node const& node) { return static_cast<std::uint64_t>(node.integer(0, any_count)); }
-
-}  // namespace
 
 std::map<std::string, ParameterValue> read_parameters(Node const& node) {
   std::map<std::string, ParameterValue> parameters;
@@ -50,14 +38,14 @@ Discretisation read_discretisation(Node const& node) {
   Discretisation d;
   d.kernel = node.at("kernel").string();
   d.density = node.at("density").string();
-  d.smoothing_ratio = node.at("smoothing_ratio").number();
+  d.smoothing_ratio = node.at("smoothing_ratio").positive_number();
   Node const layout = node.at("layout");
   if (layout.is_string()) {
     d.layout = {layout.string()};
   } else {
     d.layout.id = layout.at("id").string();
     for (char const* key : {"amplitude", "separation", "gap"}) {
-      if (auto const amplitude = layout.find(key)) d.layout.amplitude = amplitude->number();
+      if (auto const amplitude = layout.find(key)) d.layout.amplitude = size_of(*amplitude);
     }
     if (auto const seed = layout.find("seed")) d.layout.seed = count(*seed);
   }
@@ -72,42 +60,21 @@ Discretisation read_discretisation(Node const& node) {
   return d;
 }
 
-namespace {
-
-int read_resolution(Node const& node) {
-  return static_cast<int>(node.at("resolution").integer(0, 100'000'000));
-}
-
-NormSet read_norms(Node const& node) {
-  return {measured(node.at("l1")), measured(node.at("l2")), measured(node.at("linf"))};
-}
-
-/// Empty in documents of versions that did not measure it.
-Number found_number(Node const& node, char const* key) {
-  auto const found = node.find(key);
-  return found ? optional_number(*found) : Number();
-}
-
-MedianSeconds read_median(Node const& node) {
-  return {found_number(node, "median_seconds"), found_number(node, "low_seconds"),
-          found_number(node, "high_seconds")};
-}
-
-}  // namespace
-
 Cost read_cost(Node const& node) {
   Cost c;
-  c.seconds = measured(node.at("seconds"));
-  c.cpu_seconds = optional_number(node.at("cpu_seconds"));
-  c.setup_seconds = measured(node.at("setup_seconds"));
+  c.seconds = size_of(node.at("seconds"));
+  c.cpu_seconds = optional_size(node.at("cpu_seconds"));
+  c.setup_seconds = size_of(node.at("setup_seconds"));
   c.median = read_median(node);
-  if (auto const busy = node.find("busy")) c.busy = optional_number(*busy);
+  if (auto const busy = node.find("busy")) c.busy = optional_size(*busy);
   c.repeats = static_cast<int>(count(node.at("repeats")));
   if (auto const batch = node.find("batch")) c.batch = static_cast<int>(count(*batch));
   if (auto const warm_up = node.find("warm_up")) c.warm_up = warm_up->boolean();
   if (auto const occasion = node.find("occasion"); occasion && !occasion->is_null())
     c.occasion = occasion->string();
-  if (auto const rounds = node.find("round_seconds")) c.round_seconds = rounds->numbers();
+  if (auto const rounds = node.find("round_seconds")) {
+    for (Node const& round : rounds->elements()) c.round_seconds.push_back(size_of(round));
+  }
   c.steps = count(node.at("steps"));
   c.rate_evaluations = count(node.at("rate_evaluations"));
   c.pair_interactions = count(node.at("pair_interactions"));
@@ -125,9 +92,9 @@ Mode read_mode(Node const& node) {
 Stability read_stability(Node const& node) {
   Stability s;
   s.spectral_abscissa = optional_number(node.at("spectral_abscissa"));
-  s.abscissa_uncertainty = optional_number(node.at("abscissa_uncertainty"));
-  s.spectral_radius = optional_number(node.at("spectral_radius"));
-  s.largest_stable_step = optional_number(node.at("largest_stable_step"));
+  s.abscissa_uncertainty = optional_size(node.at("abscissa_uncertainty"));
+  s.spectral_radius = optional_size(node.at("spectral_radius"));
+  s.largest_stable_step = optional_size(node.at("largest_stable_step"));
   if (!node.at("growing_modes").is_null()) s.growing_modes = count(node.at("growing_modes"));
   s.remark = node.at("remark").string();
   s.largest_imaginary = optional_number(node.at("largest_imaginary"));
@@ -135,7 +102,7 @@ Stability read_stability(Node const& node) {
   s.method = node.at("method").string();
   if (!node.at("worst_mode").is_null()) s.worst_mode = read_mode(node.at("worst_mode"));
   for (auto const& [method, step] : node.at("stable_steps").members()) {
-    s.stable_steps[method] = {optional_number(step.at("theory")), optional_number(step.at("measured")),
+    s.stable_steps[method] = {optional_size(step.at("theory")), optional_size(step.at("measured")),
                               step.at("remark").string()};
   }
   if (auto const modes = node.find("modes")) {
@@ -147,7 +114,7 @@ Stability read_stability(Node const& node) {
 SecondLaw read_second_law(Node const& node) {
   auto const breach = [&](char const* key) {
     Node const b = node.at(key);
-    return Breach{measured(b.at("size")), measured(b.at("time")), measured_list(b.at("position"))};
+    return Breach{size_of(b.at("size")), measured(b.at("time")), measured_list(b.at("position"))};
   };
   return {breach("overshoot"),        breach("undershoot"),
           breach("cold_to_hot"),      optional_number(node.at("smallest_entropy_production")),
@@ -220,77 +187,14 @@ Motion read_motion(Node const& node) {
   Motion m;
   for (auto const& [limit, steps] : node.at("steps_bound_by").members())
     m.steps_bound_by[limit] = count(steps);
-  m.smallest_step = optional_number(node.at("smallest_step"));
-  m.largest_step = optional_number(node.at("largest_step"));
+  m.smallest_step = optional_size(node.at("smallest_step"));
+  m.largest_step = optional_size(node.at("largest_step"));
   m.lowest_density = measured(node.at("lowest_density"));
   m.lowest_pressure = measured(node.at("lowest_pressure"));
   m.volume_defect = optional_number(node.at("volume_defect"));
   m.wall_heating = optional_number(node.at("wall_heating"));
   m.energy_routes = optional_number(node.at("energy_routes"));
   return m;
-}
-
-ObservedOrder read_order(Node const& node) {
-  ObservedOrder o;
-  o.order = optional_number(node.at("order"));
-  if (Node const interval = node.at("interval"); !interval.is_null()) {
-    auto const ends = interval.numbers();
-    if (ends.size() != 2) interval.complain("[lower, upper] or null");
-    o.lower = ends[0];
-    o.upper = ends[1];
-  }
-  for (Node const& p : node.at("pairwise").elements()) o.pairwise.push_back(optional_number(p));
-  o.verdict = node.at("verdict").string();
-  o.reason = node.at("reason").string();
-  // Documents of versions before 0.2 have none of what follows.
-  if (auto const model = node.find("model")) o.model = optional_string(*model);
-  if (auto const law = node.find("law"); law && !law->is_null()) {
-    o.law =
-        ErrorLaw{measured(law->at("floor")), measured(law->at("coefficient")), measured(law->at("exponent")),
-                 measured(law->at("next_coefficient")), measured(law->at("next_exponent"))};
-  }
-  if (auto const floor = node.find("floor"); floor && !floor->is_null()) {
-    Node const interval = floor->at("interval");
-    auto const ends = interval.numbers();
-    if (ends.size() != 2) interval.complain("[lower, upper]");
-    o.floor = ErrorFloor{measured(floor->at("value")), ends[0], ends[1]};
-  }
-  if (auto const targets = node.find("targets")) {
-    for (Node const& t : targets->elements()) {
-      o.targets.push_back({measured(t.at("error")), optional_number(t.at("relative")),
-                           optional_number(t.at("N")), t.at("remark").string()});
-    }
-  }
-  return o;
-}
-
-Series read_series(Node const& node) {
-  Series s;
-  s.case_id = node.at("case").string();
-  s.parameters = read_parameters(node.at("parameters"));
-  s.formulation = read_formulation(node);
-  s.label = node.at("label").string();
-  s.discretisation = read_discretisation(node.at("discretisation"));
-  s.smoothing_exponent = node.at("smoothing_exponent").number();
-  s.discontinuous = node.at("discontinuous").boolean();
-  for (Node const& run : node.at("runs").elements()) s.runs.push_back(count(run));
-  for (Node const& entry : node.at("orders").elements()) {
-    OrderEntry e{entry.at("field").string(),   entry.at("region").string(), entry.at("norm").string(),
-                 entry.at("allowed").number(), read_order(entry),           {}};
-    for (Node const& level : entry.at("levels").elements()) {
-      e.levels.push_back({read_resolution(level), measured(level.at("spacing")),
-                          static_cast<int>(count(level.at("replicates"))), optional_number(level.at("error")),
-                          optional_number(level.at("spread")), optional_number(level.at("seconds")),
-                          read_median(level), found_number(level, "mean")});
-    }
-    s.orders.push_back(std::move(e));
-  }
-  for (Node const& t : node.at("time_to_error").elements()) {
-    s.time_to_error.push_back({t.at("field").string(), t.at("region").string(), t.at("norm").string(),
-                               measured(t.at("relative")), measured(t.at("error")),
-                               optional_number(t.at("seconds")), t.at("is_bound").boolean(), read_median(t)});
-  }
-  return s;
 }
 
 }  // namespace
@@ -305,8 +209,8 @@ RunRecord read_run(Node const& node) {
   r.smoothing_exponent = node.at("smoothing_exponent").number();
   r.resolution = read_resolution(node);
   r.particles = count(node.at("particles"));
-  r.spacing = measured(node.at("spacing"));
-  r.smoothing_length = measured(node.at("smoothing_length"));
+  r.spacing = size_of(node.at("spacing"));
+  r.smoothing_length = size_of(node.at("smoothing_length"));
   r.status = node.at("status").word(run_statuses);
   r.reason = optional_string(node.at("reason"));
   if (auto const remarks = node.find("remarks")) {
@@ -321,10 +225,10 @@ RunRecord read_run(Node const& node) {
   for (auto const& [field, regions] : node.at("errors").members()) {
     for (auto const& [region, e] : regions.members()) {
       RegionError& error = r.errors[field][region];
-      error = {read_norms(e), read_norms(e.at("scale")), measured(e.at("round_off"))};
+      error = {read_norms(e), read_norms(e.at("scale")), size_of(e.at("round_off"))};
       if (auto const initial = e.find("initial")) error.initial = read_norms(*initial);
       error.mean = found_number(e, "mean");
-      if (auto const allowed = e.find("allowed")) error.allowed = read_norms(*allowed);
+      if (auto const allowed = e.find("allowed")) error.allowed = read_sizes(*allowed);
     }
   }
   for (auto const& [quantity, b] : node.at("conservation").members()) {
@@ -345,7 +249,7 @@ RunRecord read_run(Node const& node) {
   if (auto const motion = node.find("motion")) r.motion = read_motion(*motion);
   for (Node const& w : node.at("wall_flux").elements()) {
     r.wall_flux.push_back({measured(w.at("measured")), measured(w.at("exact")), measured(w.at("error")),
-                           measured(w.at("scale"))});
+                           size_of(w.at("scale"))});
   }
   if (Node const cost = node.at("cost"); !cost.is_null()) r.cost = read_cost(cost);
   if (Node const stability = node.at("stability"); !stability.is_null())

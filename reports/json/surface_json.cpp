@@ -1,6 +1,7 @@
 #include "reports/json/surface_json.hpp"
 
 #include <cmath>
+#include "reports/json/checked_numbers.hpp"
 
 #include "reports/json/results_json.hpp"
 
@@ -28,6 +29,9 @@ Estimate read_estimate(Node const& node) {
     if (ends.size() != 2) interval.complain("two numbers");
     e.lower = read_number(ends[0]);
     e.upper = read_number(ends[1]);
+    if (e.lower && e.upper && *e.lower > *e.upper)
+      throw UserError(interval.file(), interval.key(), interval.json().dump(),
+                      "[lower, upper], the lower end first");
   }
   return e;
 }
@@ -41,11 +45,11 @@ Json to_json(SurfaceCell const& c) {
 }
 
 SurfaceCell read_cell(Node const& node) {
-  return {read_count(node.at("resolution")), node.at("smoothing_ratio").number(),
-          node.at("spacing").number(),       node.at("particles").number(),
-          read_count(node.at("replicates")), read_number(node.at("error")),
-          read_number(node.at("spread")),    read_number(node.at("fitted")),
-          read_number(node.at("seconds")),   read_number(node.at("pair_interactions"))};
+  return {read_count(node.at("resolution")), size_of(node.at("smoothing_ratio")),
+          size_of(node.at("spacing")),       size_of(node.at("particles")),
+          read_count(node.at("replicates")), optional_size(node.at("error")),
+          optional_size(node.at("spread")),  read_number(node.at("fitted")),
+          optional_size(node.at("seconds")), optional_size(node.at("pair_interactions"))};
 }
 
 Json to_json(SurfaceLaw const& law) {

@@ -13,6 +13,9 @@ namespace sphverify {
 
 namespace {
 
+/// A number that is none is not written.
+Number finite(double value) { return std::isfinite(value) ? Number(value) : Number(); }
+
 LevelRow row_of_run(std::string const& document, RunRecord const& run) {
   LevelRow row;
   row.document = document;
@@ -26,9 +29,9 @@ LevelRow row_of_run(std::string const& document, RunRecord const& run) {
   row.status = run.status;
   row.resolution = run.resolution;
   row.particles = run.particles;
-  row.spacing = run.spacing;
-  row.smoothing_length = run.smoothing_length;
-  if (run.cost) row.seconds = run.cost->seconds;
+  row.spacing = finite(run.spacing);  // of a run that never began it is none
+  row.smoothing_length = finite(run.smoothing_length);
+  if (run.cost) row.seconds = finite(run.cost->seconds);
   return row;
 }
 
@@ -42,9 +45,6 @@ std::vector<int> first_resolutions(Results const& results) {
   }
   return first;
 }
-
-/// A number that is none is not written.
-Number finite(double value) { return std::isfinite(value) ? Number(value) : Number(); }
 
 void add_error(LevelRow& row, RegionError const& error) {
   row.l1 = finite(error.error.l1);

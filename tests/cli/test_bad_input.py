@@ -162,7 +162,7 @@ class Studies(BadInput):
         ):
             with self.subTest(parameter=name, value=value):
                 study = small_study(cases=[{"id": case, "parameters": {name: value}}])
-                self.refuse_study(study, "cases[0]", name.removeprefix("final_"))
+                self.refuse_study(study, f"cases[0].parameters.{name}: found ", "expected")
 
     def test_a_mode_that_is_no_pair_or_has_no_whole_number_is_refused(self):
         for modes in ([[1]], [[1, 2, 3]], [[1.5, 1]], [[1e30, 1]], [[-1, 1]], [[0, 1]]):

@@ -242,7 +242,7 @@ class Slabs(Exact):
     def test_a_slab_in_one_dimension_cannot_be_turned(self):
         result = self.run_program("exact", "conduction/slab-dirichlet", "--parameter", "turn=30", "--time", "0",
                                   "--points", "0.5")  # fmt: skip
-        self.assert_user_error(result, "turn must be 0 in one dimension", "found 30")
+        self.assert_user_error(result, "expected 0 in one dimension", "found 30")
 
 
 class Boxes(Exact):
@@ -301,8 +301,8 @@ class Boxes(Exact):
             ("square", "modes=[[1,1]]", ["[n, m, amplitude]"]),
             ("cube", "modes=[[1,1,1]]", ["[n, m, l, amplitude]"]),
             ("square", "modes=[[1,1.5,1]]", ["whole"]),
-            ("square", "modes=[[1,0,1]]", ["mode number must be 1 or more, found 0"]),
-            ("square", "walls=open", ["walls must be one of dirichlet mixed, found open"]),
+            ("square", "modes=[[1,0,1]]", ["--parameter modes[0][1]: found 0, expected a whole number"]),
+            ("square", "walls=open", ["--parameter walls: found 'open', expected one of dirichlet, mixed"]),
         ):  # fmt: skip
             with self.subTest(case=case, parameter=parameter):
                 points = ":".join(["0.5"] * (2 if case == "square" else 3))
@@ -375,7 +375,7 @@ class Fronts(Exact):
                         age**-a * max(constant - k * x * x * age ** (-2 * a), 0) ** (1 / (m - 1)) for x in points
                     ]
                     document = self.exact("conduction/barenblatt", t, points, f"exponent={m}", f"constant={constant}",
-                                          f"start_time={start}", "half_width=9", "final_time=0.4")  # fmt: skip
+                                          f"start_time={start}", "half_width=9")  # fmt: skip
                     self.assert_near(document["fields"]["temperature"], expected)
                     self.assertAlmostEqual(document["front"], math.sqrt(constant / k) * age**a, places=12)
 
@@ -397,7 +397,7 @@ class Fronts(Exact):
                 chosen = [point for point in profile[1000::600] if point[0] >= 0]
                 self.assertGreater(len(chosen), 4)
                 points = [xi * math.sqrt(t) for xi, _ in chosen]
-                document = self.exact("conduction/marshak", t, points, f"exponent={n}", "final_time=0.04")
+                document = self.exact("conduction/marshak", t, points, f"exponent={n}")
                 self.assertAlmostEqual(document["front"] / math.sqrt(t), front, delta=1e-8)
                 self.assert_near(document["fields"]["temperature"], [f for _, f in chosen], 1e-6)
 
@@ -436,9 +436,9 @@ class Arguments(Exact):
                     "--parameter", "exponent=three", "--time", "1", "--points", "0")  # fmt: skip
 
     def test_a_parameter_without_effect_is_refused(self):
-        self.refuse(["gamma has no effect"], "hydro/riemann", "--parameter", "preset=sod", "--parameter", "gamma=1.6666",
+        self.refuse(["gamma: found 1.6666", "no effect"], "hydro/riemann", "--parameter", "preset=sod", "--parameter", "gamma=1.6666",
                     "--time", "0.1", "--points", "0.5")  # fmt: skip
-        self.refuse(["preset has no effect"], "hydro/riemann", "--parameter", "preset=sod", "--parameter",
+        self.refuse(["preset: found 'sod'", "no effect"], "hydro/riemann", "--parameter", "preset=sod", "--parameter",
                     "left=[1,0,1]", "--parameter", "right=[1,0,2]", "--time", "0.1", "--points", "0.5")  # fmt: skip
         self.refuse(["'exponent=2'", "only once"], "conduction/marshak", "--parameter", "exponent=3", "--parameter",
                     "exponent=2", "--time", "0.1", "--points", "0.5")  # fmt: skip
@@ -453,8 +453,6 @@ class Arguments(Exact):
                     self.exact(case, time, [0.25], parameter)
                 self.assertEqual(self.exact(case, early, [0.25], parameter)["parameters"]["final_time"], early)
                 self.refuse([case], case, "--parameter", parameter, "--time", str(late), "--points", "0.25")
-                self.refuse([case], case, "--parameter", parameter, "--parameter", f"final_time={late}", "--time",
-                            str(early), "--points", "0.25")  # fmt: skip
 
     def test_bad_points_are_refused(self):
         for points, word in (("", "--points"), ("0,,1", "''"), ("0,", "''"), ("x", "'x'"), ("0.1:0.2", "1 coordinate"),

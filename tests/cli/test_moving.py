@@ -215,7 +215,7 @@ class BadInput(ProgramTest):
 
         self.refuse(["final_time", "far wall"], cases=case("hydro/piston-velocity", final_time=2))
         self.refuse(["preset"], cases=case("hydro/riemann", preset="sood"))
-        self.refuse(["cases[0]", "gamma has no effect"], cases=case("hydro/riemann", preset="sod", gamma=1.6666))
+        self.refuse(["cases[0].parameters.gamma: found 1.6666", "no effect"], cases=case("hydro/riemann", preset="sod", gamma=1.6666))
         self.refuse(["left"], cases=case("hydro/riemann", left=[1, 0], right=[1, 0, 1]))
         self.refuse(["boundary"], cases=case("hydro/uniform", boundary="open"))
         self.refuse(["pressure"], cases=case("hydro/uniform", pressure=-1))

@@ -112,6 +112,48 @@ class Order(ProgramTest):
         self.assertEqual(missing.returncode, USER_ERROR)
         self.assertIn("none.csv", missing.stderr)
 
+    def test_what_spreadsheets_write_is_read(self):
+        lines = PUBLISHED.splitlines()
+        plain = self.columns(PUBLISHED)
+        for table in ("\ufeff" + PUBLISHED, "\ufeff" + "\r\n".join(lines[1:]) + "\r\n",
+                      PUBLISHED.replace("N,first,floored", '"N","first", "floored"'),
+                      PUBLISHED.replace("10,0.195", '"10","0.195"')):  # fmt: skip
+            with self.subTest(table=table[:40]):
+                self.assertEqual(self.columns(table), plain)
+        names = list(self.columns(PUBLISHED.replace("floored\n", '"l2, ""relative"""\n')))
+        self.assertEqual(names, ["first", 'l2, "relative"'])
+        for header in ('N,"l2', 'N,"l2"x'):
+            done = order(f"{header}\n10,0.1\n20,0.05\n")
+            self.assertEqual(done.returncode, USER_ERROR, done.stderr)
+            self.assertIn(":1: columns: ", done.stderr)
+            self.assertIn("quotation mark", done.stderr)
+
+    def test_levels_that_hardly_differ_are_refused(self):
+        for table, found in (("spacing,l2\n0.1,1\n0.10000000000000002,2\n", "0.1 and 0.10000000000000002"),
+                             ("N,l2\n1000000,1\n1000000.5,2\n2000000,0.5\n", "1000000.5 and 1000000")):  # fmt: skip
+            done = order(table)
+            self.assertEqual(done.returncode, USER_ERROR, done.stdout)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+            self.assertIn(found, done.stderr)
+            self.assertIn("1e-06", done.stderr)
+        self.columns("N,l2\n1000000,1\n1000002,0.999\n")
+
+    def test_no_number_is_none_whatever_the_table(self):
+        for first, last in ((1e-29, 1e29), (1e28, 1e29), (1e-29, 1e-28)):
+            for high, low in ((1e300, 1e-300), (1e-300, 1e-305), (1e308, 1e300), (1.0, 0.0), (1e-300, 1e300)):
+                ns = [first * (last / first) ** (k / 4) for k in range(5)]
+                es = [high * (k == 0) + (k > 0) * (high ** (1 - k / 4) * low ** (k / 4)) for k in range(5)]
+                table = "N,e\n" + "".join(f"{n!r},{e!r}\n" for n, e in zip(ns, es))
+                with self.subTest(table=table):
+                    for form in ("table", "json"):
+                        done = order(table, "--format", form)
+                        self.assertEqual(done.returncode, 0, done.stderr)
+                        self.assertNotRegex(done.stdout + done.stderr, r"(?i)(?<!\w)-?(nan|inf)(?!\w)")
+
+    def test_what_the_coarsest_level_has_is_a_bound_as_in_comparisons(self):
+        done = order(PUBLISHED, "--target", "0.5")
+        self.assertRegex(done.stdout, r"first .*<=10")
+
     def test_missing_errors_are_runs_that_failed(self):
         column = self.columns("N,l2\n10,0.1\n20,0.05\n40,0.025\n80,\n")["l2"]
         self.assertEqual(column["verdict"], "diverging")

@@ -151,7 +151,7 @@ BOOST_AUTO_TEST_CASE(temperature_is_as_accurate_as_promised) {
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(refuses([] { Barenblatt(1, 1, 1); }, "exponent must be above 1, found 1"));
   BOOST_TEST(refuses([] { Barenblatt(2, 0, 1); }, "constant must be positive, found 0"));
-  BOOST_TEST(refuses([] { Barenblatt(2, 1, -3); }, "start time must be positive, found -3"));
+  BOOST_TEST(refuses([] { Barenblatt(2, 1, -3); }, "start_time must be positive, found -3"));
   BOOST_CHECK_THROW(Barenblatt(std::numeric_limits<double>::quiet_NaN(), 1, 1), std::invalid_argument);
   BOOST_TEST(refuses([] { Barenblatt(2, 1, 1).temperature(0.0, -1.0); }, "time must be above -1, found -1"));
   BOOST_CHECK_THROW(Barenblatt(2, 1, 1).front(-2.0), std::invalid_argument);

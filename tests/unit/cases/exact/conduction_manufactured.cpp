@@ -216,8 +216,7 @@ BOOST_AUTO_TEST_CASE(one_dimensional_fields_have_their_documented_values) {
 }
 
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
-  BOOST_TEST(
-      refuses([] { ConductionManufactured<2>(-1.0); }, "conductivity scale must be positive, found -1"));
+  BOOST_TEST(refuses([] { ConductionManufactured<2>(-1.0); }, "conductivity must be positive, found -1"));
   BOOST_CHECK_THROW(ConductionManufactured<1>{std::numeric_limits<double>::infinity()},
                     std::invalid_argument);
   ConductionManufactured<1> const exact(1.0);

@@ -306,8 +306,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fields_are_the_documented_ones_to_the_promised_acc
 
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(refuses([] { GasManufactured<1>(1.0, 0.0); }, "gamma must be above 1, found 1"));
-  BOOST_TEST(refuses([] { GasManufactured<2>(1.4, -1.0); },
-                     "conductivity scale must be zero or positive, found -1"));
+  BOOST_TEST(
+      refuses([] { GasManufactured<2>(1.4, -1.0); }, "conductivity must be zero or positive, found -1"));
   BOOST_CHECK_THROW((GasManufactured<3>{1.4, std::numeric_limits<double>::infinity()}),
                     std::invalid_argument);
   GasManufactured<1> const exact(1.4, 0.0);

@@ -81,9 +81,9 @@ BOOST_AUTO_TEST_CASE(fields_are_as_accurate_as_promised) {
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(refuses([] { Gresho(0); }, "pressure in the centre must be positive, found 0"));
   BOOST_TEST(refuses([] { Gresho::central_pressure(1, 0.1); }, "gamma must be above 1, found 1"));
-  BOOST_TEST(refuses([] { Gresho::central_pressure(1.4, 0); }, "Mach number must be positive, found 0"));
+  BOOST_TEST(refuses([] { Gresho::central_pressure(1.4, 0); }, "mach must be positive, found 0"));
   BOOST_TEST(refuses([] { Gresho::central_pressure(2, 1); },
-                     "Mach number must be below 1 for a positive pressure, found 1"));
+                     "mach must be below 1 for a positive pressure, found 1"));
   BOOST_TEST(refuses([] { Gresho(5).pressure(-1); }, "radius must be zero or positive, found -1"));
   BOOST_CHECK_THROW(Gresho{std::numeric_limits<double>::quiet_NaN()}, std::invalid_argument);
 }

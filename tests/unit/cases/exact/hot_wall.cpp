@@ -212,13 +212,12 @@ BOOST_AUTO_TEST_CASE(temperature_is_as_accurate_as_promised) {
 }
 
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
-  BOOST_TEST(refuses([] { HotWall(0, 1, 1, 1, 1.4, 1, 0); }, "wall temperature must be positive, found 0"));
-  BOOST_TEST(
-      refuses([] { HotWall(2, -1, 1, 1, 1.4, 1, 0); }, "initial temperature must be positive, found -1"));
+  BOOST_TEST(refuses([] { HotWall(0, 1, 1, 1, 1.4, 1, 0); }, "wall must be positive, found 0"));
+  BOOST_TEST(refuses([] { HotWall(2, -1, 1, 1, 1.4, 1, 0); }, "initial must be positive, found -1"));
   BOOST_TEST(refuses([] { HotWall(2, 1, 0, 1, 1.4, 1, 0); }, "density must be positive, found 0"));
   BOOST_TEST(refuses([] { HotWall(2, 1, 1, 0, 1.4, 1, 0); }, "conductivity must be positive, found 0"));
   BOOST_TEST(refuses([] { HotWall(2, 1, 1, 1, 0.5, 1, 0); }, "gamma must be above 1, found 0.5"));
-  BOOST_TEST(refuses([] { HotWall(2, 1, 1, 1, 1.4, 0, 0); }, "start time must be positive, found 0"));
+  BOOST_TEST(refuses([] { HotWall(2, 1, 1, 1, 1.4, 0, 0); }, "start_time must be positive, found 0"));
   BOOST_CHECK_THROW(HotWall(2, 1, 1, 1, 1.4, 1, std::numeric_limits<double>::infinity()),
                     std::invalid_argument);
   BOOST_TEST(refuses([] { wall(2.0).at(1.0, -0.5); }, "time must be above -0.5, found -0.5"));

@@ -183,10 +183,10 @@ BOOST_AUTO_TEST_CASE(speeds_and_density_are_as_accurate_as_promised) {
 
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(
-      refuses([] { PistonShock(-1, 1, 1, 1.4); }, "initial pressure must be zero or positive, found -1"));
-  BOOST_TEST(refuses([] { PistonShock(0, 0, 1, 1.4); }, "post pressure must be positive, found 0"));
+      refuses([] { PistonShock(-1, 1, 1, 1.4); }, "initial_pressure must be zero or positive, found -1"));
+  BOOST_TEST(refuses([] { PistonShock(0, 0, 1, 1.4); }, "pressure must be positive, found 0"));
   BOOST_TEST(refuses([] { PistonShock(2, 1, 1, 1.4); },
-                     "post pressure minus initial pressure must be zero or positive, found -1"));
+                     "pressure must be at least the initial_pressure, 2, found 1"));
   BOOST_TEST(refuses([] { PistonShock(1, 2, 0, 1.4); }, "density must be positive, found 0"));
   BOOST_TEST(refuses([] { PistonShock(1, 2, 1, 1); }, "gamma must be above 1, found 1"));
   BOOST_TEST(refuses([] { PistonShock(1, 2, 1, 1.4).at(0, -1); }, "time must be zero or positive, found -1"));

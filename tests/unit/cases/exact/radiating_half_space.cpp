@@ -236,12 +236,12 @@ BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(refuses([] { RadiatingHalfSpace(0, 4, 1, 0, 1, 1); }, "radiation must be positive, found 0"));
   BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 0, 1, 0, 1, 1); }, "exponent must be from 1 to 8, found 0"));
   BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 9, 1, 0, 1, 1); }, "exponent must be from 1 to 8, found 9"));
-  BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 4, -1, 0, 1, 1); },
-                     "start temperature must be zero or positive, found -1"));
+  BOOST_TEST(
+      refuses([] { RadiatingHalfSpace(1, 4, -1, 0, 1, 1); }, "start must be zero or positive, found -1"));
   BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 4, 1, -1, 1, 1); },
-                     "environment temperature must be zero or positive, found -1"));
+                     "environment must be zero or positive, found -1"));
   BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 4, 0, 0, 1, 1); },
-                     "the larger temperature must be positive, found 0"));
+                     "start must be positive where the environment is at 0, found 0"));
   BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 4, 1, 0, 0, 1); }, "conductivity must be positive, found 0"));
   BOOST_TEST(refuses([] { RadiatingHalfSpace(1, 4, 1, 0, 1, 0); }, "density must be positive, found 0"));
   RadiatingHalfSpace const exact(1, 4, 1, 0, 1, 1);

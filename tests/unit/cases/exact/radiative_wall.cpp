@@ -81,10 +81,10 @@ BOOST_AUTO_TEST_CASE(temperature_is_as_accurate_as_promised) {
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   BOOST_TEST(
       refuses([] { RadiativeWall(-1, 2, 1, 1, 1, 1); }, "radiation must be zero or positive, found -1"));
-  BOOST_TEST(refuses([] { RadiativeWall(1, 1, 1, 1, 1, 1); }, "start temperature must be above 1, found 1"));
-  BOOST_TEST(refuses([] { RadiativeWall(1, 2, -1, 1, 1, 1); },
-                     "environment temperature must be zero or positive, found -1"));
-  BOOST_TEST(refuses([] { RadiativeWall(1, 2, 1, 0, 1, 1); }, "cooling time must be positive, found 0"));
+  BOOST_TEST(refuses([] { RadiativeWall(1, 1, 1, 1, 1, 1); }, "start must be above 1, found 1"));
+  BOOST_TEST(
+      refuses([] { RadiativeWall(1, 2, -1, 1, 1, 1); }, "environment must be zero or positive, found -1"));
+  BOOST_TEST(refuses([] { RadiativeWall(1, 2, 1, 0, 1, 1); }, "cooling_time must be positive, found 0"));
   BOOST_TEST(refuses([] { RadiativeWall(1, 2, 1, 1, 0, 1); }, "conductivity must be positive, found 0"));
   BOOST_TEST(refuses([] { RadiativeWall(1, 2, 1, 1, 1, 0); }, "density must be positive, found 0"));
   BOOST_TEST(refuses([] { slab().temperature(0.5, -1.0); }, "time must be zero or positive, found -1"));

@@ -28,10 +28,13 @@ BOOST_AUTO_TEST_CASE(messages_name_the_quantity_what_was_found_and_what_is_expec
   BOOST_TEST(
       refuses([] { require_not_negative("time", -0.5); }, "time must be zero or positive, found -0.5"));
   BOOST_TEST(refuses([] { require_above("exponent", 1.0, 1.0); }, "exponent must be above 1, found 1"));
-  BOOST_TEST(refuses([] { require_above("exponent", nan, 1.0); }, "exponent must be above 1, found nan"));
-  BOOST_TEST(refuses([] { require_positive("density", nan); }, "density must be positive, found nan"));
-  BOOST_TEST(refuses([] { require_not_negative("time", nan); }, "time must be zero or positive, found nan"));
-  BOOST_TEST(refuses([] { require_finite("flux", infinity); }, "flux must be finite, found inf"));
+  BOOST_TEST(
+      refuses([] { require_above("exponent", nan, 1.0); }, "exponent must be above 1, found no number"));
+  BOOST_TEST(refuses([] { require_positive("density", nan); }, "density must be positive, found no number"));
+  BOOST_TEST(
+      refuses([] { require_not_negative("time", nan); }, "time must be zero or positive, found no number"));
+  BOOST_TEST(
+      refuses([] { require_finite("flux", infinity); }, "flux must be finite, found an infinite number"));
   BOOST_TEST(refuses([] { require_positive("mode number", 0); }, "mode number must be 1 or more, found 0"));
 }
 

@@ -611,11 +611,11 @@ BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
   auto refused = [&](GasState const& left, GasState const& right, std::string const& message) {
     return refuses([&] { Riemann(left, right, 1.4); }, message);
   };
-  BOOST_TEST(refused({-1, 0, 1}, gas, "left density must be positive, found -1"));
-  BOOST_TEST(refused(gas, {0, 0, 1}, "right density must be positive, found 0"));
-  BOOST_TEST(refused(gas, {-2, 0, 0}, "right density must be zero or positive, found -2"));
-  BOOST_TEST(refused(gas, {1, 0, -1}, "right pressure must be zero or positive, found -1"));
-  BOOST_TEST(refused({1, infinity, 1}, gas, "left velocity must be finite, found inf"));
+  BOOST_TEST(refused({-1, 0, 1}, gas, "left[0] must be positive, found -1"));
+  BOOST_TEST(refused(gas, {0, 0, 1}, "right[0] must be positive, found 0"));
+  BOOST_TEST(refused(gas, {-2, 0, 0}, "right[0] must be zero or positive, found -2"));
+  BOOST_TEST(refused(gas, {1, 0, -1}, "right[2] must be zero or positive, found -1"));
+  BOOST_TEST(refused({1, infinity, 1}, gas, "left[1] must be finite, found an infinite number"));
   BOOST_TEST(refused(nothing, nothing, "density of one side must be positive, found 0"));
   BOOST_TEST(refuses([&] { Riemann(gas, gas, 1.0); }, "gamma must be above 1, found 1"));
   BOOST_CHECK_THROW(Riemann({nan, 0, 1}, gas, 1.4), std::invalid_argument);

@@ -249,7 +249,7 @@ BOOST_AUTO_TEST_CASE(velocity_density_and_pressure_are_as_accurate_as_promised) 
 }
 
 BOOST_AUTO_TEST_CASE(invalid_input_is_refused) {
-  BOOST_TEST(refuses([] { SimpleWave(1, 0, 1, 1, 1.4); }, "rise time must be positive, found 0"));
+  BOOST_TEST(refuses([] { SimpleWave(1, 0, 1, 1, 1.4); }, "rise_time must be positive, found 0"));
   BOOST_TEST(refuses([] { SimpleWave(1, 1, -1, 1, 1.4); }, "density must be positive, found -1"));
   BOOST_TEST(refuses([] { SimpleWave(1, 1, 1, 0, 1.4); }, "pressure must be positive, found 0"));
   BOOST_TEST(refuses([] { SimpleWave(1, 1, 1, 1, 1); }, "gamma must be above 1, found 1"));

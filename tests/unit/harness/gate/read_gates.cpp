@@ -162,4 +162,12 @@ BOOST_AUTO_TEST_CASE(a_baseline_is_meant_from_where_the_gates_stand_and_may_be_c
   BOOST_TEST(gates.gates[2].limit.baseline.empty());
 }
 
+BOOST_AUTO_TEST_CASE(an_unknown_key_is_named_before_a_missing_one) {
+  std::string const said = refusal_of(R"("maximun": 1)");
+  BOOST_TEST(said.find("gates[0].maximun: found an unknown key") != std::string::npos, said);
+  BOOST_TEST(said.find("did you mean 'maximum'?") != std::string::npos, said);
+  std::string const lacks = refusal_of(R"("maximum": 1, "verdict": "ignore")");
+  BOOST_TEST(lacks.find("gates[0].measure: found nothing") != std::string::npos, lacks);
+}
+
 BOOST_AUTO_TEST_SUITE_END()

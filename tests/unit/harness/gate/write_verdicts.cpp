@@ -143,4 +143,18 @@ BOOST_AUTO_TEST_CASE(markdown_has_one_row_per_gate_and_its_cells_hold) {
   BOOST_TEST(lines[8].starts_with("| **undecided** | third |"), lines[8]);
 }
 
+BOOST_AUTO_TEST_CASE(what_xml_cannot_hold_is_replaced_in_junit) {
+  std::string const replacement = "\xEF\xBF\xBD";
+  GateVerdict one = verdict(Verdict::failed,
+                            "a\xEF\xBF\xBE\xEF\xBF\xBF"
+                            "b\xED\xA0\x80"
+                            "c\xFF"
+                            "d\x0B"
+                            "e\xC3\xA4\xF0\x9F\x98\x80");
+  std::string const junit = verdicts_junit(gates(), {one});
+  // A half of a surrogate pair is three bytes, none of which begins a character.
+  BOOST_TEST(says(junit, "name=\"a" + replacement + replacement + "b" + replacement + replacement +
+                             replacement + "c" + replacement + "d e\xC3\xA4\xF0\x9F\x98\x80\""));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

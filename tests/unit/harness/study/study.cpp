@@ -382,10 +382,10 @@ BOOST_AUTO_TEST_CASE(parameters_without_effect_are_refused_and_defaults_without_
     return document;
   };
   check_says(refusal(tube(R"({"preset": "sod", "gamma": 1.6666})")),
-             {"study.json: cases[0]", "gamma has no effect"});
-  check_says(refusal(tube(R"({"gamma": 1.4})")), {"gamma has no effect"});
+             {"study.json: cases[0].parameters.gamma: found 1.6666, expected none", "no effect"});
+  check_says(refusal(tube(R"({"gamma": 1.4})")), {"cases[0].parameters.gamma: found 1.4", "no effect"});
   check_says(refusal(tube(R"({"preset": "sod", "left": [1, 0, 1], "right": [1, 0, 2]})")),
-             {"preset has no effect"});
+             {"cases[0].parameters.preset: found 'sod'", "no effect"});
   for (char const* parameters :
        {R"({"preset": "leblanc"})", R"({"left": [1, 0, 1], "right": [1, 0, 2], "gamma": 1.6})"}) {
     Study const study = read(tube(parameters));
@@ -396,7 +396,7 @@ BOOST_AUTO_TEST_CASE(parameters_without_effect_are_refused_and_defaults_without_
   }
   Json driven = tube("{}");
   driven["envelope"] = Json::parse(R"({"parameter": "gamma", "from": 1.2, "to": 1.6})");
-  check_says(refusal(driven), {"envelope", "gamma has no effect"});
+  check_says(refusal(driven), {"envelope.parameter: found 'gamma'", "no effect"});
 }
 
 BOOST_AUTO_TEST_CASE(a_moving_gas_has_defaults_of_its_own) {
@@ -508,11 +508,12 @@ BOOST_AUTO_TEST_CASE(a_study_of_moving_gas_written_down_reads_back_as_itself) {
 
 BOOST_AUTO_TEST_CASE(a_final_time_beyond_the_exact_solution_is_refused) {
   check_says(refusal("cases", R"({"id": "hydro/piston-velocity", "parameters": {"final_time": 1}})"),
-             {"study.json: cases", "final_time must be less than", "the shock reaches the far wall"});
+             {"study.json: cases.parameters.final_time: found 1, expected less than",
+              "the shock reaches the far wall"});
   check_says(refusal("cases", R"({"id": "hydro/uniform", "parameters": {"boundary": "free"}})"),
-             {"boundary must be one of", "found free"});
+             {"cases.parameters.boundary: found 'free', expected one of"});
   check_says(refusal("cases", R"({"id": "hydro/riemann", "parameters": {"preset": "sodd"}})"),
-             {"preset must be one of", "found sodd"});
+             {"cases.parameters.preset: found 'sodd', expected one of"});
 }
 
 BOOST_AUTO_TEST_CASE(the_standard_studies_of_walls_and_closures_are_studies) {

@@ -419,6 +419,7 @@ BOOST_AUTO_TEST_CASE(the_best_behind_a_shock_is_the_nearest_from_either_side) {
   std::string const shocks = text.substr(text.find("behind the shock"));
   BOOST_TEST(row(shocks, "sqrt-p ").find("*") != std::string::npos, shocks);
   BOOST_TEST(row(shocks, "p-rho2 ").find("*") == std::string::npos, shocks);
+}
 
 BOOST_AUTO_TEST_CASE(that_no_mode_grows_has_to_be_known_of_every_seed) {
   auto const growing = [](std::optional<std::uint64_t> known, bool other_was_looked_at) {

@@ -1,0 +1,160 @@
+#include "harness/study/no_effect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "harness/study/expand.hpp"
+#include "harness/study/wall_facts.hpp"
+
+namespace sphverify {
+
+namespace {
+
+/// What a user sees of a study: different runs, and what is skipped with a reason.
+struct Outcome {
+  std::set<std::string> runs, skipped;
+  bool operator==(Outcome const&) const = default;
+};
+
+/// A run by what enters its numbers.
+std::string essence(Study const& study, RunSpec const& run, AnyProblem const& problem,
+                    std::size_t case_index) {
+  Discretisation const& d = run.discretisation;
+  FormulationChoice const& f = run.formulation;
+  bool const walls = f.walls && has_walls(problem);
+  bool const no_time = run.scene_case->info.kind == CaseKind::rates;
+  // What an envelope drives is not what the study says.
+  bool const drives_ratio = study.envelope && study.envelope->parameter == "smoothing_ratio";
+  bool const drives_amplitude = study.envelope && study.envelope->parameter == "amplitude";
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
+                     f.id, f.work, f.conduction, walls, d.kernel, d.density,
+                     drives_ratio ? run.smoothing_ratio / d.smoothing_ratio : run.smoothing_ratio,
+                     d.layout.id, drives_amplitude ? 0.0 : d.layout.amplitude, d.layout.seed,
+                     walls ? d.face_weight : "", walls ? d.closure : "", no_time ? "" : d.integrator,
+                     d.smoothing, walls && has_free_wall(problem) ? d.wall_motion : "",
+                     fmt::format("{}|{}", d.viscosity.alpha, d.viscosity.beta));
+}
+
+Outcome outcome_of(Study study) {
+  // Every level is as the first, but for what grows with the resolution.
+  if (study.resolutions.size() > 2) study.resolutions.resize(2);
+  Outcome outcome;
+  Expansion const expansion = expand(study);
+  for (std::size_t k = 0; k < study.cases.size(); ++k) {
+    StudyCase const& one = study.cases[k];
+    AnyProblem const problem = one.scene_case->problem(one.parameters);
+    for (RunSpec const& run : expansion.runs) {
+      if (run.scene_case == one.scene_case && run.parameters == one.parameters)
+        outcome.runs.insert(essence(study, run, problem, k));
+    }
+  }
+  for (Skipped const& s : expansion.skipped)
+    outcome.skipped.insert(fmt::format("{}|{}|{}", s.case_id, s.formulation, s.reason));
+  return outcome;
+}
+
+struct Asked {
+  Study const& study;
+  Study const& plain;  ///< the same without the choices of its document
+  Node const& document;
+  Outcome const outcome;
+};
+
+/// Of a list of values each must change something, and all together must. A default may stand beside others.
+template <class Value>
+void require_effect(Asked const& asked, std::optional<Node> const& node, std::vector<Value> Study::*values,
+                    std::string const& why_not) {
+  std::vector<Value> const& given = asked.study.*values;
+  if (!node || given == asked.plain.*values) return;
+  auto const changes_nothing = [&](std::vector<Value> const& others) {
+    Study other = asked.study;
+    other.*values = others;
+    return outcome_of(other) == asked.outcome;
+  };
+  std::string const expected = "what changes a run of this study: " + why_not;
+  auto const nodes = node->one_or_many();
+  std::vector<Value> const& defaults = asked.plain.*values;
+  for (std::size_t k = given.size(); k-- > 0 && given.size() > 1;) {
+    if (std::find(defaults.begin(), defaults.end(), given[k]) != defaults.end()) continue;
+    std::vector<Value> others = given;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
+    if (changes_nothing(others)) nodes[k].complain(expected);
+  }
+  if (changes_nothing(defaults)) (nodes.size() == 1 ? nodes.front() : *node).complain(expected);
+}
+
+void require_formulations(Asked const& asked) {
+  auto const nodes = asked.document.at("formulations").one_or_many();
+  for (std::size_t k = nodes.size(); k-- > 0;) {
+    Study other = asked.study;
+    other.formulations.erase(other.formulations.begin() + static_cast<std::ptrdiff_t>(k));
+    if (nodes.size() > 1 && outcome_of(other) == asked.outcome)
+      nodes[k].complain("a formulation that is not among the others: its runs would be theirs");
+  }
+}
+
+/// Measures that only some cases have.
+void require_measures(Asked const& asked) {
+  auto const measures = asked.document.find("measure");
+  if (!measures) return;
+  auto const runs = [&](auto const& has) {
+    return std::any_of(asked.study.cases.begin(), asked.study.cases.end(),
+                       [&](StudyCase const& one) { return has(one.scene_case->info.kind); });
+  };
+  bool const time_passes = runs([](CaseKind kind) { return kind != CaseKind::rates; });
+  bool const conducts = runs([](CaseKind kind) { return kind == CaseKind::conduction; });
+  bool const any_moves = runs(moves);
+  for (Node const& node : measures->one_or_many()) {
+    std::string const word = node.string();
+    if (word == "second-law" && !conducts)
+      node.complain("another measure: this one is of heat conduction at rest");
+    if (word == "energy-routes" && !any_moves)
+      node.complain("another measure: this one is of gases that move");
+    bool const of_time =
+        word == "stability" || word == "stable-step" || word == "spectrum" || word == "history";
+    if (of_time && !time_passes) node.complain("another measure: no time passes in operator cases");
+  }
+  if (auto const repeat = asked.document.find("repeat");
+      repeat && asked.study.repeat.most > 1 && !asked.study.measure.contains(Measure::cost))
+    repeat->complain("no repeats, or cost among the measures: nothing is timed");
+}
+
+}  // namespace
+
+void require_effects(Study const& study, Node const& document) {
+  auto const choice = [&](char const* key) {
+    auto const d = document.find("discretisation");
+    auto const node = d ? d->find(key) : std::nullopt;
+    return node ? node : document.find(key);
+  };
+  Json bare = document.json();
+  for (char const* key : {"discretisation", "smoothing_exponent", "closure", "integrator", "viscosity",
+                          "smoothing", "wall_motion", "envelope"})
+    bare.erase(key);
+  bare["resolution"] = 1;  // the defaults go by the cases alone
+  Study const plain = read_study(Node(bare, document.file()));
+  Asked const asked{study, plain, document, outcome_of(study)};
+  if (asked.outcome.runs.empty()) return;  // which is said with its reason
+  char const* const no_wall_terms = "none has wall terms";
+  require_effect(asked, choice("viscosity"), &Study::viscosities,
+                 "particles at rest have no viscosity, and auto is one or none by the case");
+  require_effect(asked, choice("smoothing"), &Study::smoothings,
+                 "particles at rest have one smoothing length");
+  require_effect(asked, choice("wall_motion"), &Study::wall_motions, "in none does a wall go with the gas");
+  require_effect(asked, choice("integrator"), &Study::integrators,
+                 "each takes one that suits it, and without time none");
+  require_effect(asked, choice("density"), &Study::densities,
+                 "given is for particles at rest, continuity for "
+                 "those that move");
+  require_effect(asked, choice("face_weight"), &Study::face_weights, no_wall_terms);
+  require_effect(asked, choice("closure"), &Study::closures, no_wall_terms);
+  require_effect(asked, document.find("smoothing_exponent"), &Study::smoothing_exponents,
+                 "at the first resolution, here the only one, h/dx is smoothing_ratio");
+  require_effect(asked, choice("smoothing_ratio"), &Study::smoothing_ratios, "the envelope drives it");
+  require_formulations(asked);
+  require_measures(asked);
+}
+
+}  // namespace sphverify

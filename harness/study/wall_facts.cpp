@@ -1,0 +1,20 @@
+#include "harness/study/wall_facts.hpp"
+
+#include <algorithm>
+
+namespace sphverify {
+
+bool has_walls(AnyProblem const& problem) {
+  return std::visit([](auto const& p) { return !p.walls.empty(); }, problem);
+}
+
+bool has_free_wall(AnyProblem const& problem) {
+  return std::visit(
+      [](auto const& p) {
+        return std::any_of(p.walls.begin(), p.walls.end(),
+                           [](auto const& wall) { return wall.pressure && !wall.velocity && !wall.path; });
+      },
+      problem);
+}
+
+}  // namespace sphverify

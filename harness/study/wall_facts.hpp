@@ -1,0 +1,12 @@
+#pragma once
+
+#include "cases/support/problem.hpp"
+
+namespace sphverify {
+
+bool has_walls(AnyProblem const& problem);
+
+/// Whether a wall goes with the gas that it pushes.
+bool has_free_wall(AnyProblem const& problem);
+
+}  // namespace sphverify

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "reports/json/node.hpp"
+#include "reports/results.hpp"
+
+namespace sphverify {
+
+/// A ladder of a results document. Throws UserError.
+Series read_series(Node const& node);
+
+}  // namespace sphverify

@@ -191,9 +191,7 @@ void add_exact(CLI::App& app) {
   sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions")->required();
   sub->footer(
       "A parameter that is given and has no effect is refused, final_time among them: the case need only "
-      "make "
-      "sense until the time asked for.
-      "
+      "make sense until the time asked for.\n"
       "Example: sphverify exact conduction/marshak --parameter exponent=3 --time 0.5 --points 0,0.2,0.4");
   sub->callback([command] { exact(*command); });
 }

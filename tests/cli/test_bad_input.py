@@ -530,7 +530,7 @@ class States(BadInput):
                 self.refuse_this(f"particles.{key}[2]: found {value}", "positive")
         for value in (0, -1, [1], "1", None):
             self.particles["smoothing_length"] = value
-            self.refuse_this("particles.smoothing_length", "positive")
+            self.refuse_this("particles.smoothing_length", "a number from 1e-100 to 1e+100")
 
     def test_vectors_of_another_dimension_are_refused(self):
         self.particles["position"][2] = [0.5, 0.5]

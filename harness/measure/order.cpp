@@ -44,7 +44,7 @@ constexpr double known_absolutely = 0.1, known_relatively = 0.25;
 constexpr double told_absolutely = 1.0, told_relatively = 0.5;
 constexpr double settled = 0.2;
 constexpr double sure = 0.95;
-constexpr double not_refused = 0.02;  // probability of a law
+constexpr double not_refused = 0.05;  // probability of a law
 constexpr double floor_told = 0.97;
 constexpr double least_floor_share = 0.05;
 constexpr double unchanged = 1e-6;

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
+#include <string>
 
 #include "harness/study/expand.hpp"
 #include "harness/study/wall_facts.hpp"
@@ -15,12 +17,18 @@ namespace {
 /// What a user sees of a study: different runs, and what is skipped with a reason.
 struct Outcome {
   std::set<std::string> runs, skipped;
-  bool operator==(Outcome const&) const = default;
+  std::set<std::string> used;  ///< key=value of choices that enter the numbers of a run
+  bool operator==(Outcome const& other) const { return runs == other.runs && skipped == other.skipped; }
 };
 
+std::string text_of(std::string const& word) { return word; }
+std::string text_of(double number) { return fmt::format("{}", number); }
+std::string text_of(ViscosityChoice const& v) { return fmt::format("{}|{}", v.alpha, v.beta); }
+std::string text_of(std::optional<ViscosityChoice> const& v) { return v ? text_of(*v) : "auto"; }
+
 /// A run by what enters its numbers.
-std::string essence(Study const& study, RunSpec const& run, AnyProblem const& problem,
-                    std::size_t case_index) {
+std::string essence(Study const& study, RunSpec const& run, AnyProblem const& problem, std::size_t case_index,
+                    std::set<std::string>& used) {
   Discretisation const& d = run.discretisation;
   FormulationChoice const& f = run.formulation;
   bool const walls = f.walls && has_walls(problem);
@@ -28,13 +36,22 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   // What an envelope drives is not what the study says.
   bool const drives_ratio = study.envelope && study.envelope->parameter == "smoothing_ratio";
   bool const drives_amplitude = study.envelope && study.envelope->parameter == "amplitude";
+  auto const use = [&](bool is_used, char const* key, auto const& value) {
+    if (is_used) used.insert(std::string(key) + "=" + text_of(value));
+  };
+  bool const is_gas = moves(run.scene_case->info.kind);
+  use(true, "density", d.density);
+  use(!no_time, "integrator", d.integrator);
+  use(is_gas, "viscosity", d.viscosity);
+  use(is_gas, "smoothing", d.smoothing);
+  use(walls, "face_weight", d.face_weight);
+  use(walls, "closure", d.closure);
   return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
                      f.id, f.work, f.conduction, walls, d.kernel, d.density,
                      drives_ratio ? run.smoothing_ratio / d.smoothing_ratio : run.smoothing_ratio,
                      d.layout.id, drives_amplitude ? 0.0 : d.layout.amplitude, d.layout.seed,
                      walls ? d.face_weight : "", walls ? d.closure : "", no_time ? "" : d.integrator,
-                     d.smoothing, walls && has_free_wall(problem) ? d.wall_motion : "",
-                     fmt::format("{}|{}", d.viscosity.alpha, d.viscosity.beta));
+                     d.smoothing, walls && has_free_wall(problem) ? d.wall_motion : "", text_of(d.viscosity));
 }
 
 Outcome outcome_of(Study study) {
@@ -47,7 +64,7 @@ Outcome outcome_of(Study study) {
     AnyProblem const problem = one.scene_case->problem(one.parameters);
     for (RunSpec const& run : expansion.runs) {
       if (run.scene_case == one.scene_case && run.parameters == one.parameters)
-        outcome.runs.insert(essence(study, run, problem, k));
+        outcome.runs.insert(essence(study, run, problem, k, outcome.used));
     }
   }
   for (Skipped const& s : expansion.skipped)
@@ -62,10 +79,11 @@ struct Asked {
   Outcome const outcome;
 };
 
-/// Of a list of values each must change something, and all together must. A default may stand beside others.
+/// Of a list of values each must change something. A default may stand beside others, and what a run does
+/// anyway may be said.
 template <class Value>
-void require_effect(Asked const& asked, std::optional<Node> const& node, std::vector<Value> Study::*values,
-                    std::string const& why_not) {
+void require_effect(Asked const& asked, char const* key, std::optional<Node> const& node,
+                    std::vector<Value> Study::*values, std::string const& why_not) {
   std::vector<Value> const& given = asked.study.*values;
   if (!node || given == asked.plain.*values) return;
   auto const changes_nothing = [&](std::vector<Value> const& others) {
@@ -82,7 +100,11 @@ void require_effect(Asked const& asked, std::optional<Node> const& node, std::ve
     others.erase(others.begin() + static_cast<std::ptrdiff_t>(k));
     if (changes_nothing(others)) nodes[k].complain(expected);
   }
-  if (changes_nothing(defaults)) (nodes.size() == 1 ? nodes.front() : *node).complain(expected);
+  auto const is_used = [&](Value const& value) {
+    return asked.outcome.used.contains(std::string(key) + "=" + text_of(value));
+  };
+  if (!std::all_of(given.begin(), given.end(), is_used) && changes_nothing(defaults))
+    (nodes.size() == 1 ? nodes.front() : *node).complain(expected);
 }
 
 void require_formulations(Asked const& asked) {
@@ -138,21 +160,24 @@ void require_effects(Study const& study, Node const& document) {
   Asked const asked{study, plain, document, outcome_of(study)};
   if (asked.outcome.runs.empty()) return;  // which is said with its reason
   char const* const no_wall_terms = "none has wall terms";
-  require_effect(asked, choice("viscosity"), &Study::viscosities,
+  require_effect(asked, "viscosity", choice("viscosity"), &Study::viscosities,
                  "particles at rest have no viscosity, and auto is one or none by the case");
-  require_effect(asked, choice("smoothing"), &Study::smoothings,
+  require_effect(asked, "smoothing", choice("smoothing"), &Study::smoothings,
                  "particles at rest have one smoothing length");
-  require_effect(asked, choice("wall_motion"), &Study::wall_motions, "in none does a wall go with the gas");
-  require_effect(asked, choice("integrator"), &Study::integrators,
+  require_effect(asked, "wall_motion", choice("wall_motion"), &Study::wall_motions,
+                 "in none does a wall go with the gas");
+  require_effect(asked, "integrator", choice("integrator"), &Study::integrators,
                  "each takes one that suits it, and without time none");
-  require_effect(asked, choice("density"), &Study::densities,
+  require_effect(asked, "density", choice("density"), &Study::densities,
                  "given is for particles at rest, continuity for "
                  "those that move");
-  require_effect(asked, choice("face_weight"), &Study::face_weights, no_wall_terms);
-  require_effect(asked, choice("closure"), &Study::closures, no_wall_terms);
-  require_effect(asked, document.find("smoothing_exponent"), &Study::smoothing_exponents,
+  require_effect(asked, "face_weight", choice("face_weight"), &Study::face_weights, no_wall_terms);
+  require_effect(asked, "closure", choice("closure"), &Study::closures, no_wall_terms);
+  require_effect(asked, "smoothing_exponent", document.find("smoothing_exponent"),
+                 &Study::smoothing_exponents,
                  "at the first resolution, here the only one, h/dx is smoothing_ratio");
-  require_effect(asked, choice("smoothing_ratio"), &Study::smoothing_ratios, "the envelope drives it");
+  require_effect(asked, "smoothing_ratio", choice("smoothing_ratio"), &Study::smoothing_ratios,
+                 "the envelope drives it");
   require_formulations(asked);
   require_measures(asked);
 }

@@ -97,6 +97,10 @@ class Studies(ProgramTest):
             asking(SLAB, [HEAT, OFF], discretisation={"closure": "one-sided", "face_weight": ["exact", "campbell"]}),
             asking(SLAB, smoothing_exponent=[0, 0.5]),
             asking(SLAB, resolution=8, smoothing_exponent=0),
+            # What the runs do anyway may be said.
+            asking(ACOUSTIC, GAS, discretisation={"integrator": "runge-kutta", "viscosity": "off", "density": "continuity"}),
+            asking(TUBE, GAS, discretisation={"integrator": "leapfrog", "viscosity": STRONG}),
+            asking(SLAB, discretisation={"integrator": "bdf"}),
         ):
             with self.subTest(study=study):
                 self.assertEqual(self.run_program("study", self.write("study.json", study)).returncode, DONE)

@@ -130,32 +130,29 @@ BOOST_AUTO_TEST_CASE(a_blast_starts_with_its_energy_and_closes_its_budget) {
   BOOST_TEST(std::abs(energy.drift) < 1e-2 * energy.initial);
 }
 
+// Near the explosion the exact gas is thinner than particles can be.
 BOOST_AUTO_TEST_CASE(errors_are_taken_where_the_exact_solution_holds) {
-  for (auto const& [id, end] : {std::pair{"hydro/noh", 0.1}, {"hydro/sedov", 0.1}}) {
-    std::vector<std::pair<std::string, ParameterValue>> const parameters{{"dimension", 2.0},
-                                                                         {"final_time", end}};
-    RunRecord const record =
-        run_gas(id, 16, "normalised", "leapfrog", {1.0, 2.0}, parameters, {Measure::error, Measure::profile});
-    RunSpec const spec = make_spec({.scene_case = id, .parameters = parameters});
-    auto const problem = std::get<Problem<2>>(spec.scene_case->problem(spec.parameters));
-    Profile const& profile = *record.profile;
-    double kept = 0.0, error = 0.0;
-    std::size_t left_out = 0;
-    for (std::size_t i = 0; i < profile.position.size(); ++i) {
-      if (!problem.holds(Vector<2>(profile.position[i][0], profile.position[i][1]), end)) {
-        ++left_out;
-        continue;
-      }
-      kept += profile.weight[i];
-      error += profile.weight[i] *
-               std::abs(profile.computed.at("density")[i][0] - profile.exact.at("density")[i][0]);
+  std::vector<std::pair<std::string, ParameterValue>> const parameters{{"dimension", 2.0}};
+  RunSpec const spec = make_spec({.scene_case = "hydro/sedov", .parameters = parameters});
+  auto const problem = std::get<Problem<2>>(spec.scene_case->problem(spec.parameters));
+  double const end = problem.final_time;
+  RunRecord const record = run_gas("hydro/sedov", 20, "normalised", "leapfrog", {1.0, 2.0}, parameters,
+                                   {Measure::error, Measure::profile});
+  Profile const& profile = *record.profile;
+  double kept = 0.0, error = 0.0;
+  std::size_t left_out = 0;
+  for (std::size_t i = 0; i < profile.position.size(); ++i) {
+    if (!problem.holds(Vector<2>(profile.position[i][0], profile.position[i][1]), end)) {
+      ++left_out;
+      continue;
     }
-    BOOST_TEST_CONTEXT(id) {
-      BOOST_TEST((left_out > 5u && left_out < 200u), left_out);
-      BOOST_TEST(record.errors.at("density").at("all").error.l1 == error / kept,
-                 boost::test_tools::tolerance(1e-12));
-    }
+    kept += profile.weight[i];
+    error += profile.weight[i] *
+             std::abs(profile.computed.at("density")[i][0] - profile.exact.at("density")[i][0]);
   }
+  BOOST_TEST((left_out >= 3u && left_out < 200u), left_out);
+  BOOST_TEST(record.errors.at("density").at("all").error.l1 == error / kept,
+             boost::test_tools::tolerance(1e-12));
 }
 
 BOOST_AUTO_TEST_CASE(a_support_wider_than_a_periodic_box_is_refused_not_computed) {

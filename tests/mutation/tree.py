@@ -40,11 +40,10 @@ def copy_tree(folder, changed=None):
             shutil.copymode(source, copy)
 
 
-def run_within(seconds, command, environment, folder, before=None):
+def run_within(seconds, command, environment, folder):
     """Exit status (None if the time was up) and output; what the command has started ends with it."""
     process = subprocess.Popen(command, env=environment, cwd=folder, stdout=subprocess.PIPE,
-                               stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True,
-                               preexec_fn=before)
+                               stderr=subprocess.STDOUT, text=True, errors="replace", start_new_session=True)
     try:
         output, _ = process.communicate(timeout=max(seconds, 1.0))
         return process.returncode, output

@@ -152,7 +152,8 @@ def compiled(folder, name, text):
     source = pathlib.Path(folder) / f"{name}.cpp"
     source.write_text(text)
     program = source.with_suffix("")
-    subprocess.run(["c++", "-std=c++20", "-w", "-fsanitize=address", source, HERE / "generator" / "mutants.cpp", "-o", program], check=True)
+    runtime = HERE / "generator" / "mutants.cpp"
+    subprocess.run(["c++", "-std=c++20", "-w", "-fsanitize=address", source, runtime, "-o", program], check=True)
     return program
 
 
@@ -171,7 +172,7 @@ class SchemataTest(unittest.TestCase):
             taken = []
             for number in range(1, 13):
                 mutant, _ = draw.choose(places.found, number, 5, taken,
-                                        lambda m: unit.compiles(draw.instrumented(PROGRAM, [m])))
+                                        lambda m: unit.compiles(pieces.render(PROGRAM, [m], draw.guard)))
                 if mutant:
                     taken.append(mutant)
             self.assertGreater(len(taken), 8)

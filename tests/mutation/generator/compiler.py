@@ -8,8 +8,10 @@ import shlex
 from clang import cindex
 
 WANTED = cindex.TranslationUnit.PARSE_PRECOMPILED_PREAMBLE | 0x100  # made at the first parse
-# Mutants make constants variable: what narrows then did so before. An array must not become one of variable length.
-ANYHOW = ["-w", "-Wno-c++11-narrowing", "-Werror=vla", "-ferror-limit=0", "-fno-caret-diagnostics"]
+# What every broken text asks is there from the beginning, so that its includes are read once. Mutants make constants
+# variable: what narrows then did so before. An array must not become one of variable length.
+ANYHOW = ["-include", str(pathlib.Path(__file__).resolve().parent / "mutants.hpp"), "-w", "-Wno-c++11-narrowing",
+          "-Werror=vla", "-ferror-limit=0", "-fno-caret-diagnostics"]
 LIBRARY = "/usr/lib/llvm-14/lib/libclang-14.so.1"
 GCC_ONLY = ("-fpch-preprocess", "-Winvalid-pch", "-Wno-psabi")
 

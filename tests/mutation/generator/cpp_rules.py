@@ -53,7 +53,7 @@ def kind_of(type):
     return "other"
 
 
-def kind_of_bits(cursor):
+def is_bitfield(cursor):
     return cursor.kind == Kind.FIELD_DECL and cursor.is_bitfield()
 
 
@@ -177,7 +177,7 @@ class Places:
         start = cursor.extent.start.offset
         name = cursor.location.offset
         head = self.source[start:name]
-        if kind_of_bits(cursor):
+        if is_bitfield(cursor):
             return
         expressions = [c for c in children if self.span(c)[0] >= name and c.kind.is_expression()]
         if cursor.type.kind in (Type.CONSTANTARRAY, Type.DEPENDENTSIZEDARRAY) and "]" in self.source[name:]:

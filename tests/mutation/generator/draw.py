@@ -101,7 +101,7 @@ def draw_in_cpp(task):
 
     def compiles(mutants):
         # As the library wants it: text of the source's own encoding.
-        return unit.compiles(instrumented(text, mutants).encode("latin-1").decode("utf-8"))
+        return unit.compiles(pieces.render(text, mutants, guard).encode("latin-1").decode("utf-8"))
 
     # All at once, and one by one only if that fails.
     taken = []

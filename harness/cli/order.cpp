@@ -101,15 +101,18 @@ void add_order(CLI::App& app) {
          "TABLE.csv", command->table,
          "Comma-separated: a line of names, N (particles along an axis) or spacing among them, seed if "
          "there are replicates, every other an error (empty or nan: the run failed); levels differ by 1e-6 "
-         "or "
-         "more of themselves; - is standard input")
+         "or more of themselves; - is standard input")
       ->required();
   sub->add_option("--format", command->format, "table or json")->check(one_of_words({"table", "json"}));
-  sub->add_option("--target", command->targets, "Errors whose N is wanted; default: 0.01 0.001")
+  sub->add_option("--target", command->targets,
+                  "Errors whose N (1/spacing) is wanted, in the columns' unit; default: 0.01 0.001")
       ->check(CLI::Range(1e-300, 1e300));
   sub->add_option("--allowed", command->allowed, "Highest order that the solution allows; default: any")
       ->check(CLI::Range(1e-3, 100.0));
   sub->footer(
+      "Of a results document: N, seed and one of l1, l2, linf of one ladder of `compare --section levels`; "
+      "its "
+      "orders and floors are those of absolute errors.\n"
       "The rules: sphverify describe order\n"
       "Example: printf 'N,l2\\n10,0.195\\n20,0.11\\n40,0.0566\\n80,0.0285\\n' | sphverify order -");
   sub->callback([command] { judge_table(*command); });

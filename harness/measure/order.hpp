@@ -44,8 +44,10 @@ struct LadderExtent {
 /// @param times_spacing resolution times spacing of any level
 LadderExtent extent_of(std::vector<LadderLevel> const& levels, double times_spacing);
 
-/// Where the fitted law comes down to an error; never, where that lies below the floor.
+/// The remark of a target that the coarsest level has reached.
 inline constexpr char const* coarsest_has_it = "the coarsest level has it";
+
+/// Where the fitted law comes down to an error; never, where that lies below the floor.
 TargetResolution resolution_for(ObservedOrder const& observed, double error, LadderExtent const& extent);
 
 /// The rules of the verdicts, as `describe` prints them.

@@ -109,6 +109,8 @@ std::vector<LayoutChoice> read_layout(Node const& node) {
   double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
   if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
   auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
+  if (id == "jittered" && amplitude == 0.0 && seeds.size() > 1)
+    node.at("seeds").complain("one seed: with an amplitude of 0 all of them give the same particles");
   std::vector<LayoutChoice> layouts;
   for (Node const& seed : seeds) {
     auto const value = static_cast<std::uint64_t>(seed.integer(0, std::numeric_limits<std::int64_t>::max()));

@@ -45,7 +45,7 @@ Discretisation read_discretisation(Node const& node) {
   } else {
     d.layout.id = layout.at("id").string();
     for (char const* key : {"amplitude", "separation", "gap"}) {
-      if (auto const amplitude = layout.find(key)) d.layout.amplitude = size_of(*amplitude);
+      if (auto const amplitude = layout.find(key)) d.layout.amplitude = amplitude->number();
     }
     if (auto const seed = layout.find("seed")) d.layout.seed = count(*seed);
   }

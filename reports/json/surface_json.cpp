@@ -45,7 +45,7 @@ Json to_json(SurfaceCell const& c) {
 }
 
 SurfaceCell read_cell(Node const& node) {
-  return {read_count(node.at("resolution")), size_of(node.at("smoothing_ratio")),
+  return {read_count(node.at("resolution")), node.at("smoothing_ratio").number(),
           size_of(node.at("spacing")),       size_of(node.at("particles")),
           read_count(node.at("replicates")), optional_size(node.at("error")),
           optional_size(node.at("spread")),  read_number(node.at("fitted")),

@@ -237,7 +237,7 @@ function bestText({ ratio, gridRatio, edge, advice }) {
   if (advice === "measured")
     return `${formatNumber(gridRatio)} (measured; by the law ${byLaw}, within its misfit)`;
   if (advice === "untried")
-    return `${formatNumber(gridRatio)} (measured; by the law ${byLaw}, where no run gave an error)`;
+    return `${formatNumber(gridRatio)} (measured; by the law ${byLaw}, where no error counts)`;
   return advice === "apart" ? `${byLaw} (by the law; measured ${formatNumber(gridRatio)})` : byLaw;
 }
 

@@ -147,13 +147,15 @@ function nearestSentences(one, [first, ...others]) {
   const isUseless = first.isRelative && first.error >= 1;
   const what = isHopeless ? "None converges; smallest" : isUseless ? "None comes near; smallest" : "Smallest";
   const setting = bestSettings(one, first.best);
+  const near = others.filter((r) => r.error !== null && r.error < 1.1 * first.error);
+  // A tenth is no reason to take one before the other.
+  const asFar = near.length ? ", but for a tenth" : "";
   const lines = [
     [
-      isHopeless || isUseless ? "bad" : "good",
-      `${what} error: ${first.name}, ${errorText(first)} (${setting}).`,
+      isHopeless || isUseless ? "bad" : near.length ? "" : "good",
+      `${what} error${asFar}: ${first.name}, ${errorText(first)} (${setting}).`,
     ],
   ];
-  const near = others.filter((r) => r.error !== null && r.error < 1.1 * first.error);
   if (near.length) lines.push(["", `As near, within a tenth: ${near.map((r) => r.name).join(", ")}.`]);
   if (first.isRelative && first.error > 0.01) lines.push(["bad", "None reaches 1%."]);
   return lines;

@@ -112,9 +112,11 @@ void add_stability(Stability const& s, SeriesRow& row) {
   worst.growing_modes = larger_unless_unknown(worst.growing_modes, s.growing_modes);
   if (!worst.worst_mode) worst.worst_mode = s.worst_mode;
   worst.unseen_modes = larger_if_known(worst.unseen_modes, s.unseen_modes);
-  for (auto const& [method, step] : s.stable_steps) {
-    auto const [place, is_new] = worst.stable_steps.emplace(method, step);
-    if (!is_new && is_shorter(step, place->second)) place->second = step;
+  // The shortest of all is known where each is.
+  std::erase_if(worst.stable_steps, [&](auto const& one) { return !s.stable_steps.contains(one.first); });
+  for (auto& [method, shortest] : worst.stable_steps) {
+    StableStep const& step = s.stable_steps.at(method);
+    if (is_shorter(step, shortest)) shortest = step;
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <tuple>
 
 #include "reports/table/budget_tables.hpp"
@@ -43,7 +44,7 @@ Cell shock_cell(SeriesRow const& row) {
   if (!row.plateau_pressure) return {"-", std::nullopt};
   std::string text = signed_percent(*row.plateau_pressure);
   if (row.wall_heating) text += " / " + signed_percent(*row.wall_heating);
-  return {text, std::abs(*row.plateau_pressure)};
+  return {text, std::abs(std::stod(signed_percent(*row.plateau_pressure)))};  // alike is what reads alike
 }
 
 Cell impulse_cell(SeriesRow const& row) {

@@ -93,6 +93,7 @@ AgainstFirst against(SummaryRow const& row, SummaryRow const& first) {
     result.nearer += order == Order::nearer;
     result.alike += order == Order::alike;
     result.further += order == Order::further;
+    result.unknown += row.ladders[k].time_error_is_unknown || first.ladders[k].time_error_is_unknown;
     double const ratio = *error_of(row.ladders[k]) / *error_of(first.ladders[k]);
     result.smallest = std::min(result.smallest.value_or(ratio), ratio);
     result.largest = std::max(result.largest.value_or(ratio), ratio);

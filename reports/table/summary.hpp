@@ -31,6 +31,7 @@ enum class Outcome { sound, diverging, failed, missing };
 /// and only where the difference is larger than both intervals.
 struct AgainstFirst {
   int nearer = 0, alike = 0, further = 0;
+  int unknown = 0;           ///< of those alike: because an error in time is not known
   Number ratio;              ///< of the errors, geometric mean
   Number smallest, largest;  ///< of these ratios
 };

@@ -15,7 +15,11 @@ namespace {
 
 std::string order_text(SummaryRow const& row) {
   if (!row.order) return "-";
-  double const half = std::max(*row.order_high - *row.order, *row.order - *row.order_low);
+  double const above = *row.order_high - *row.order, below = *row.order - *row.order_low;
+  double const half = std::max(above, below);
+  // Uneven ends are named: one half width would reach beyond the nearer.
+  if (half > 0.15 && half > 1.5 * std::min(above, below))
+    return fmt::format("{:.1f} ({:.1f}-{:.1f})", *row.order, *row.order_low, *row.order_high);
   return half < 9.95 ? fmt::format("{:.1f}±{:.1f}", *row.order, half)
                      : fmt::format("{:.1f}±{:.0f}", *row.order, half);
 }
@@ -36,7 +40,7 @@ std::string seconds_text(double seconds) {
 std::string percent_text(SummaryRow const& row) {
   if (row.seconds_to_percent) return (row.is_bound ? "<=" : "") + seconds_text(*row.seconds_to_percent);
   if (row.percent_resolution) return fmt::format("N {:.0f}", *row.percent_resolution);
-  return row.is_timed ? "never" : "-";
+  return row.is_timed ? "not reached" : "-";
 }
 
 std::string count_text(int n, SummaryRow const& row) {

@@ -140,18 +140,20 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
   bool const is_smallest = std::all_of(others.begin(), others.end(), [](SummaryRow const* other) {
     return !is_told_from_first(*other) || other->against_first.ratio.value_or(1.0) >= 1.0;
   });
-  std::vector<std::string> rivals;  // whose errors are its own, as far as anybody knows
+  std::vector<std::string> rivals;  // that end as well and whose errors are its own, as far as anybody knows
   for (SummaryRow const* other : others) {
-    if (!is_told_from_first(*other)) rivals.push_back(other->name);
+    bool const ends_as_well =
+        other->failed == row.failed && other->missing == row.missing && other->diverging == row.diverging;
+    if (ends_as_well && !is_told_from_first(*other)) rivals.push_back(other->name);
   }
   if (others.empty() || !row.error) {
     parts.push_back(error_text(row));
   } else if (is_smallest && !rivals.empty()) {
     parts.insert(parts.begin(), error_text(row));
-    std::string const last = rivals.back();
-    rivals.pop_back();
-    rivals.insert(rivals.begin(), row.name);
-    return fmt::format("{} and {} cannot be told apart: {}", join(rivals), last, join(parts));
+    // Told from the first is not told from each other.
+    return rivals.size() == 1
+               ? fmt::format("{} and {} cannot be told apart: {}", row.name, rivals.front(), join(parts))
+               : fmt::format("{} cannot be told from {}: {}", row.name, join(rivals, " or "), join(parts));
   } else if (is_smallest) {
     std::string const where = scenes == 1        ? ""
                               : row.nearest == 0 ? " in the mean"
@@ -166,7 +168,10 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
 std::string against_text(AgainstFirst const& a, std::string const& first) {
   int const known = a.nearer + a.alike + a.further;
   if (known == 0) return "";
-  if (a.alike == known) return "cannot be told from " + first + " (intervals overlap)";
+  if (a.alike == known) {
+    return "cannot be told from " + first +
+           (a.unknown > 0 ? " (errors in time are not known)" : " (intervals overlap)");
+  }
   std::string const range = known > 1 && *a.largest > 1.05 * *a.smallest
                                 ? fmt::format(" ({} to {})", ratio_text(*a.smallest), ratio_text(*a.largest))
                                 : "";

@@ -28,7 +28,7 @@ SurfaceAdvice advice_at(ErrorSurface const& surface, BestRatio const& best) {
   if (is_next) return SurfaceAdvice::law;
   if (fitted && best.error && surface.misfit && *fitted <= *best.error * std::exp(*surface.misfit))
     return SurfaceAdvice::measured;
-  bool const is_held = best.ratio.lower && *best.ratio.lower <= measured && measured <= *best.ratio.upper;
+  bool const is_held = best.ratio.lower && best.ratio.upper && *best.ratio.lower <= measured && measured <= *best.ratio.upper;
   return is_held ? SurfaceAdvice::law : SurfaceAdvice::apart;
 }
 

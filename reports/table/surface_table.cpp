@@ -80,14 +80,15 @@ std::string advice_text(ErrorSurface const& surface, BestRatio const& best) {
       return fmt::format("{}{} (measured; by the law {}, within its misfit of {})", measured, at, law,
                          percent(std::expm1(surface.misfit.value_or(0.0))));
     case SurfaceAdvice::untried:
-      return fmt::format("{}{} (measured; by the law {}, where no run gave an error)", measured, at, law);
+      return fmt::format("{}{} (measured; by the law {}, where no error counts)", measured, at, law);
     case SurfaceAdvice::apart:
       break;
   }
   return fmt::format("{}{} by the law, though {} erred least of those that ran", law, at, measured);
 }
 
-/// ". No run gave an error at N = 400, h/dx 0.9"; empty where every row and column has some.
+/// Rows and columns without an error that counts: a run of each of their cells failed, or its error is at
+/// round-off. Empty where every one has some.
 std::string failed_text(ErrorSurface const& surface) {
   std::set<int> resolutions;
   std::set<double> ratios;
@@ -103,12 +104,14 @@ std::string failed_text(ErrorSurface const& surface) {
   std::vector<std::string> places;
   for (int const n : resolutions) places.push_back(fmt::format("N = {}", n));
   for (double const ratio : ratios) places.push_back(fmt::format("h/dx {:.3g}", ratio));
-  return places.empty() ? "" : fmt::format(". No run gave an error at {}", fmt::join(places, ", "));
+  return places.empty()
+             ? ""
+             : fmt::format(". No error counts at {} (a run failed, or rounding)", fmt::join(places, ", "));
 }
 
 std::string answer_of(SurfaceRow const& row) {
   ErrorSurface const& e = row.surface.error;
-  if (e.best.empty()) return "no run gave an error";
+  if (e.best.empty()) return "no error counts (a run of each cell failed, or rounding)";
   BestRatio const& coarse = e.best.front();
   BestRatio const& fine = e.best.back();
   if (!e.law) {

@@ -46,7 +46,7 @@ class Terminal:
     def read(self, process, until=END):
         """All that the program writes until it ends, or until a pattern has come."""
         text, ended = b"", False
-        while not re.search(until, text):
+        while not re.search(until, text) and END not in text:
             if not ended and process.poll() is not None:
                 ended = True
                 os.write(self.theirs, END)

@@ -59,11 +59,11 @@ bool has_dimension(CaseInfo const& info) {
 /// A case by its defaults, but for these.
 Parameters parameters_of(CaseInfo const& info, double dimension, Setting const* setting) {
   Parameters parameters(info.parameters);
-  if (has_dimension(info)) parameters.set("dimension", dimension);
   if (info.id == "operator/polynomial") parameters.set("degree", 3.0);
   if (setting != nullptr) {
     for (auto const& [name, value] : setting->choices) parameters.give(name, value);
   }
+  if (has_dimension(info)) parameters.set("dimension", dimension);
   return parameters;
 }
 
@@ -546,9 +546,10 @@ BOOST_AUTO_TEST_CASE(gas_cases_solve_the_euler_equations_with_conduction_and_the
         if (problem.body_force) momentum -= problem.body_force(x, t);
         double const scale = 1.0 + u.squaredNorm() + e(x, t);
         BOOST_TEST_CONTEXT("x = " << x.transpose() << ", t = " << t) {
-          // Where a curvature jumps, as at the head of a simple wave, differences are off by as much.
-          BOOST_TEST(std::abs(mass) < 5e-5 * scale * rho(x, t));
-          BOOST_TEST(momentum.norm() < 5e-5 * scale);
+          // Where a curvature jumps, as at the head of the simple wave, differences are off by more.
+          double const allowed = info.id == "hydro/simple-wave" ? 5e-5 : 1e-5;
+          BOOST_TEST(std::abs(mass) < allowed * scale * rho(x, t));
+          BOOST_TEST(momentum.norm() < allowed * scale);
           BOOST_TEST(std::abs(energy) < 1e-5 * scale * scale);
         }
         largest = std::max(largest, std::abs(in_time(rho)));

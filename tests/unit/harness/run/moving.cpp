@@ -313,7 +313,6 @@ BOOST_AUTO_TEST_CASE(budgets_are_the_exact_ones_of_a_piston) {
 
 // By hand from the profile: the particle nearest a wall, and of all walls the one where it is farthest off.
 BOOST_AUTO_TEST_CASE(wall_heating_is_the_largest_relative_error_of_the_energy_next_to_a_wall) {
-  std::size_t negative = 0;
   for (auto const& [id, density] : {std::pair{"hydro/piston-velocity", "continuity"},
                                     {"hydro/piston-velocity", "summation"},
                                     {"hydro/noh", "continuity"},
@@ -338,9 +337,7 @@ BOOST_AUTO_TEST_CASE(wall_heating_is_the_largest_relative_error_of_the_energy_ne
       if (std::abs(excess) > std::abs(expected)) expected = excess;
     }
     BOOST_TEST(record.motion->wall_heating.value() == expected, tolerance(1e-12));
-    negative += expected < 0.0 ? 1 : 0;
   }
-  BOOST_TEST_MESSAGE(negative << " of 4 are too cold at the wall");
 }
 
 BOOST_AUTO_TEST_CASE(heat_through_walls_is_part_of_their_energy) {

@@ -112,8 +112,8 @@ BOOST_AUTO_TEST_CASE(where_runs_failed_nothing_is_advised) {
   }
   surface.error.best[1].grid_ratio = 2.0;
   std::string const text = in_one_line(surfaces_text(rows_of({surface}), CompareOptions{}));
-  BOOST_TEST(contains(text, "2 at N = 50 (measured; by the law >= 4, where no run gave an error)"), text);
-  BOOST_TEST(contains(text, ". No run gave an error at h/dx 4."), text);
+  BOOST_TEST(contains(text, "2 at N = 50 (measured; by the law >= 4, where no error counts)"), text);
+  BOOST_TEST(contains(text, ". No error counts at h/dx 4 (a run failed, or rounding)."), text);
 }
 
 BOOST_AUTO_TEST_CASE(without_a_law_the_grid_answers_and_the_reason_is_said) {

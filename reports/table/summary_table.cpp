@@ -59,7 +59,7 @@ std::vector<Column> const& columns() {
       {"error", [](SummaryRow const& r) { return r.error.has_value(); },
        [](SummaryRow const& r) { return scientific(r.error); }},
       {"order", [](SummaryRow const&) { return true; }, order_text},
-      {"floor", [](SummaryRow const& r) { return r.floor.has_value(); }, floor_text},
+      {"floor", [](SummaryRow const& r) { return r.floor.has_value(); }, floor_text, false},
       {"wall flux", [](SummaryRow const& r) { return r.wall_flux.has_value(); },
        [](SummaryRow const& r) { return percent(r.wall_flux); }},
       {"wall impulse", [](SummaryRow const& r) { return r.wall_impulse.has_value(); },

@@ -220,7 +220,7 @@ std::string below_table(SummaryGroup const& group, bool controls, TextStyle cons
                                   first_clause(row.ladders[*row.orderless].reason)),
                       style);
     }
-    if (several && row.floor) floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
+    if (several && row.floor && !controls) floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
   }
   return floors.empty() ? text : text + line_of("Floors: " + join(floors, "; ") + ".", style);
 }

@@ -34,6 +34,16 @@ std::string signed_percent(double value) {
                                : fmt::format("{:+.0f}%", 100.0 * value);
 }
 
+std::string order_with_interval(double order, double lower, double upper) {
+  double const above = upper - order, below = order - lower;
+  double const half = std::max(above, below);
+  if (half > 0.15 && half > 1.5 * std::min(above, below)) {
+    return lower < 0.0 ? fmt::format("{:.1f} ({:.1f} to {:.1f})", order, lower, upper)
+                       : fmt::format("{:.1f} ({:.1f}-{:.1f})", order, lower, upper);
+  }
+  return half < 9.95 ? fmt::format("{:.1f}±{:.1f}", order, half) : fmt::format("{:.1f}±{:.0f}", order, half);
+}
+
 std::size_t text_width(std::string const& text) {
   return static_cast<std::size_t>(std::count_if(
       text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));

@@ -15,6 +15,10 @@ std::string percent(Number const& value);
 /// +0.97%, -12%
 std::string signed_percent(double value);
 
+/// An order and its 95% interval: "1.5±0.1", by the further end; by both, "0.4 (0.2-1.9)", where one half
+/// width would reach far beyond the nearer.
+std::string order_with_interval(double order, double lower, double upper);
+
 /// Columns on a terminal that a UTF-8 text takes: its code points.
 std::size_t text_width(std::string const& text);
 

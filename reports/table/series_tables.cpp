@@ -23,8 +23,8 @@ Cell error_cell(SeriesRow const& row) {
   if (!row.error) return {"-", std::nullopt};
   std::string const error = scientific(row.relative_error ? row.relative_error : row.error);
   Number const value = row.relative_error ? row.relative_error : row.error;
-  if (row.verdict == "asymptotic" && row.half_width) {
-    return {fmt::format("{} {:.1f}±{:.1f}", error, *row.order, *row.half_width), value};
+  if (row.verdict == "asymptotic" && row.order && row.lower && row.upper) {
+    return {error + " " + order_with_interval(*row.order, *row.lower, *row.upper), value};
   }
   if (row.verdict == "pre-asymptotic" && row.order)
     return {fmt::format("{} ~{:.1f}", error, *row.order), value};
@@ -107,6 +107,7 @@ std::vector<LegendEntry> series_legend() {
       {"(walls off)", "without wall terms"},
       {"(N/25)^0.5", "so h/dx grows with the resolution N"},
       {"1.2±0.1", "order with 95% interval"},
+      {"1.2 (1.0-1.9)", "the same, its ends uneven"},
       {"~1.2", "order still changing"},
       {"floored, diverges", "no convergence"},
       {"short", "too few levels for an order"},

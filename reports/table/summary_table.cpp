@@ -14,14 +14,7 @@ namespace sphverify {
 namespace {
 
 std::string order_text(SummaryRow const& row) {
-  if (!row.order) return "-";
-  double const above = *row.order_high - *row.order, below = *row.order - *row.order_low;
-  double const half = std::max(above, below);
-  // Uneven ends are named: one half width would reach beyond the nearer.
-  if (half > 0.15 && half > 1.5 * std::min(above, below))
-    return fmt::format("{:.1f} ({:.1f}-{:.1f})", *row.order, *row.order_low, *row.order_high);
-  return half < 9.95 ? fmt::format("{:.1f}±{:.1f}", *row.order, half)
-                     : fmt::format("{:.1f}±{:.0f}", *row.order, half);
+  return row.order ? order_with_interval(*row.order, *row.order_low, *row.order_high) : "-";
 }
 
 /// A floor that may be none is known from above alone.

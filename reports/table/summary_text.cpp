@@ -220,7 +220,8 @@ std::string below_table(SummaryGroup const& group, bool controls, TextStyle cons
                                   first_clause(row.ladders[*row.orderless].reason)),
                       style);
     }
-    if (several && row.floor && !controls) floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
+    if (several && row.floor && !controls)
+      floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
   }
   return floors.empty() ? text : text + line_of("Floors: " + join(floors, "; ") + ".", style);
 }
@@ -344,7 +345,8 @@ std::vector<LegendEntry> summary_legend() {
       {"wall flux, wall impulse, energy made", "the worst scene"},
       {"1% after", "run time to 1% error on the slowest scene, or the N at which the law gets there"},
       {"",
-       "Orders behind ± and floors are 95% intervals. Errors are told apart where they differ by more than "
+       "Orders have 95% intervals, as floors do: 0.4 (0.2-1.9) is one whose ends are uneven. Errors are told "
+       "apart where they differ by more than "
        "their intervals: of the seeds, of time stepping, of rounding."}};
 }
 

@@ -292,6 +292,9 @@ BOOST_AUTO_TEST_CASE(a_jittered_layout_needs_an_amplitude_below_half_and_seeds) 
   check_says(layout(R"({"id": "jittered", "amplitude": 0.1, "seed": -1})"), {"layout.seed: found -1"});
   check_says(layout(R"({"id": "jittered", "amplitude": 0.1, "seed": 1, "seeds": [2]})"), {"seed"});
   check_says(layout(R"({"id": "jittered", "amplitude": 0.1, "seeds": []})"), {"seeds: found an empty list"});
+  // Twice the same particles would be taken for replicates.
+  check_says(layout(R"({"id": "jittered", "amplitude": 0, "seeds": [1, 2]})"),
+             {"layout.seeds: found", "one seed"});
 }
 
 BOOST_AUTO_TEST_CASE(a_value_given_twice_is_refused) {

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 
+#include "reports/table/number_text.hpp"
 #include "reports/table/summary_text.hpp"
 
 BOOST_AUTO_TEST_SUITE(reports_table_summary)
@@ -164,6 +165,15 @@ BOOST_AUTO_TEST_CASE(errors_in_time_that_are_not_known_tell_nothing_apart) {
   far.time_error_is_unknown = true;
   auto const words = sentences(summary_of({near, far}, {}).at(0));
   BOOST_TEST(words.at(0) == "one and two cannot be told apart: error 1.0e-3");
+  BOOST_TEST(words.at(1) == "two: cannot be told from one (errors in time are not known)");
+}
+
+BOOST_AUTO_TEST_CASE(uneven_intervals_of_orders_are_shown_by_their_ends) {
+  BOOST_TEST(order_with_interval(1.5, 1.38, 1.6) == "1.5±0.1");
+  BOOST_TEST(order_with_interval(0.41, 0.2, 1.85) == "0.4 (0.2-1.9)");
+  BOOST_TEST(order_with_interval(0.5, -0.4, 0.6) == "0.5 (-0.4 to 0.6)");
+  BOOST_TEST(order_with_interval(2.0, 1.9, 2.14) == "2.0±0.1");
+  BOOST_TEST(order_with_interval(2.0, -10.0, 14.0) == "2.0±12");
 }
 
 BOOST_AUTO_TEST_CASE(a_floor_and_an_order_that_is_missing_are_said_to_be_of_which_scene) {

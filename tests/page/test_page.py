@@ -376,6 +376,11 @@ class PageTest(program.ProgramTest):
             for target in series["time_to_error"]:
                 target |= {"seconds": None, "median_seconds": None, "low_seconds": None, "high_seconds": None}
         maker.write("useless.json", useless)
+        near = copy.deepcopy(useless)  # untimed and within a tenth of each other
+        for series in near["series"]:
+            for level in entry_of(series)["levels"]:
+                level["error"] *= 1e-3 * (1 if series["formulation"] == "conduction/brookshaw" else 0.5 * 1.05)
+        maker.write("near.json", near)
         # The formulation that the verdict takes was below 1% on its coarsest level already, which took longer than
         # the other needed in all.
         verdict = json.loads(maker.succeed("compare", cls.place / "cards.json", "--format", "json"))["summary"][0]
@@ -388,6 +393,11 @@ class PageTest(program.ProgramTest):
                 target |= {"seconds": seconds, "median_seconds": seconds, "low_seconds": None, "high_seconds": None}
                 target["is_bound"] = is_taken
         maker.write("bound.json", bound)
+        later = copy.deepcopy(bound)  # the same without a bound: the other is soonest beyond doubt
+        for series in later["series"]:
+            for target in series["time_to_error"]:
+                target["is_bound"] = False
+        maker.write("later.json", later)
         cls.laws = with_laws(copy.deepcopy(cls.cards))
         maker.write("laws.json", cls.laws)
         cls.scale = cls.laws["runs"][0]["errors"]["temperature"]["all"]["scale"]["l2"]
@@ -399,7 +409,7 @@ class PageTest(program.ProgramTest):
         maker.write("old.json", old)
         maker.study(LAYOUTS, "layouts.json")
         maker.write("surface.json", cls.cards | {"surfaces": surfaces_of(cls.cards)})
-        for name in ["cards", "soon", "bound", "useless", "laws", "old", "layouts", "surface"]:
+        for name in ["cards", "soon", "bound", "later", "useless", "near", "laws", "old", "layouts", "surface"]:
             maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
@@ -639,6 +649,14 @@ class PageTest(program.ProgramTest):
         self.assertTrue(any(line.startswith(f"Perhaps as soon or sooner: {other} (1 ms)") for line in lines), lines)
         self.assertEqual(self.verdict_cells("formulation")[:2], [self.taken, other])
 
+    def test_a_card_sets_none_before_another_that_is_within_a_tenth(self):
+        self.open("near.html")
+        lines = self.card_sentences()
+        self.assertTrue(lines[0].startswith("Smallest error, but for a tenth: brookshaw, "), lines)
+        self.assertIn("As near, within a tenth: lucy-flux.", lines)
+        card = self.all("section.summary article.verdict:not(.across)")[0]
+        self.assertNotIn("good", card.find_element(By.CSS_SELECTOR, ".sentences li").get_attribute("class"))
+
     def test_a_card_that_takes_another_than_the_verdict_says_whom_that_takes(self):
         taken_else = "The verdict goes by failures, then by error over all cases, and takes"
         self.open("soon.html")
@@ -647,6 +665,11 @@ class PageTest(program.ProgramTest):
         self.assertEqual(len(lines), 0 if first == "brookshaw" else 1, lines)
         self.open("bound.html")
         self.assertFalse(any(line.startswith(taken_else) for line in self.card_sentences()))
+        self.open("later.html")
+        (other,) = {"brookshaw", "lucy-flux"} - {self.taken}
+        lines = self.card_sentences()
+        self.assertTrue(lines[0].startswith(f"Soonest to 1%: {other}, "), lines)
+        self.assertEqual([line.split("takes ")[1].split(" (")[0] for line in lines if line.startswith(taken_else)], [self.taken])
         self.open("settings.html")
         across = self.one("section.summary article.across .sentences li").text.split(":")[0]
         lines = [line for line in self.card_sentences() if line.startswith(taken_else)]

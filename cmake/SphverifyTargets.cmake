@@ -23,6 +23,12 @@ function(sphverify_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
+# Compiles so many files as one, where a full build is wanted: what they include is then read, and what it makes is then
+# compiled, once for all of them. They must not share names that are theirs alone.
+function(sphverify_compile_together target count)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SPHVERIFY_UNITY} UNITY_BUILD_BATCH_SIZE ${count})
+endfunction()
+
 function(sphverify_compile_options target)
   target_compile_features(${target} PUBLIC cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)

@@ -1,12 +1,11 @@
 #include "harness/measure/normal_mixture.hpp"
 
-#include <gsl/gsl_cdf.h>
-
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 
 #include "formulations/support/expects.hpp"
 
@@ -15,6 +14,7 @@ namespace sphverify {
 namespace {
 
 constexpr double reach = 6.0;  // beyond which a normal distribution holds less than 1e-9
+constexpr std::size_t few_components = 48;
 
 }  // namespace
 
@@ -35,10 +35,46 @@ double NormalMixture::probability_below(double x) const {
     if (std::abs(distance) >= reach * c.deviation) {
       if (distance >= 0.0) below += c.weight;
     } else {
-      below += c.weight * gsl_cdf_ugaussian_P(distance / c.deviation);
+      below += c.weight * 0.5 * std::erfc(-distance / (std::numbers::sqrt2 * c.deviation));
     }
   }
   return below / total_;
+}
+
+NormalMixture NormalMixture::condensed() const {
+  std::vector<Component> sorted = components_;
+  std::sort(sorted.begin(), sorted.end(),
+            [](Component const& a, Component const& b) { return a.mean < b.mean; });
+  NormalMixture few;
+  double weight = 0.0, first = 0.0, second = 0.0;  // moments of those gathered, about 0
+  for (std::size_t k = 0; k < sorted.size(); ++k) {
+    Component const& c = sorted[k];
+    weight += c.weight;
+    first += c.weight * c.mean;
+    second += c.weight * (c.mean * c.mean + c.deviation * c.deviation);
+    if (weight * few_components < total_ && k + 1 < sorted.size()) continue;
+    double const mean = first / weight;
+    few.add(weight, mean, std::sqrt(std::max(0.0, second / weight - mean * mean)));
+    weight = first = second = 0.0;
+  }
+  return few;
+}
+
+std::optional<double> NormalMixture::polished(double p, double near, double tolerance) const {
+  constexpr double per_root_two_pi = 0.5 * std::numbers::sqrt2 * std::numbers::inv_sqrtpi;
+  double x = near;
+  for (int tries = 0; tries < 8; ++tries) {
+    double density = 0.0;
+    for (Component const& c : components_) {
+      double const z = (x - c.mean) / c.deviation;
+      if (std::abs(z) < reach) density += c.weight * per_root_two_pi / c.deviation * std::exp(-0.5 * z * z);
+    }
+    double const step = (p - probability_below(x)) * total_ / density;
+    if (!std::isfinite(step)) return std::nullopt;
+    x += step;
+    if (std::abs(step) <= tolerance) return x;
+  }
+  return std::nullopt;
 }
 
 double NormalMixture::quantile(double p) const {
@@ -51,6 +87,10 @@ double NormalMixture::quantile(double p) const {
   }
   double const tolerance = 1e-7 + 1e-12 * std::max(std::abs(low), std::abs(high));
   if (high - low <= tolerance) return 0.5 * (low + high);
+  // It is the sum over all components that costs: few of them say where to begin.
+  if (components_.size() > 4 * few_components) {
+    if (auto const found = polished(p, condensed().quantile(p), tolerance)) return *found;
+  }
   std::uintmax_t most = 60;
   auto const [from, to] = boost::math::tools::toms748_solve(
       [&](double x) { return probability_below(x) - p; }, low - tolerance, high + tolerance,

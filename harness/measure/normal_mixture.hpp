@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 namespace sphverify {
@@ -24,6 +25,11 @@ class NormalMixture {
   struct Component {
     double weight, mean, deviation;
   };
+  /// The same in few components, which part by little from it.
+  NormalMixture condensed() const;
+  /// Newton's method from near a quantile; empty where it leads nowhere, as on steps.
+  std::optional<double> polished(double p, double near, double tolerance) const;
+
   std::vector<Component> components_;
   double total_ = 0.0;
 };

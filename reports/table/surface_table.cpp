@@ -134,29 +134,29 @@ std::string answer_of(SurfaceRow const& row) {
   return text + failed_text(e) + ".";
 }
 
-struct Column {
+struct SurfaceColumn {
   std::string name;
   std::function<std::string(SurfaceRow const&)> cell;
 };
 
 std::string table(std::string const& title, Rows const& rows, SettingNames const& names,
-                  std::vector<Column> const& columns, CompareOptions const& options) {
+                  std::vector<SurfaceColumn> const& columns, CompareOptions const& options) {
   TextTable text;
   text.title = title;
   text.header = names.header();
   text.header.emplace_back("layout");
   text.label_columns = text.header.size();
-  for (Column const& column : columns) text.header.push_back(column.name);
+  for (SurfaceColumn const& column : columns) text.header.push_back(column.name);
   for (SurfaceRow const* row : rows) {
     std::vector<std::string> cells = names.row(*row);
     cells.push_back(names.column(*row));
-    for (Column const& column : columns) cells.push_back(column.cell(*row));
+    for (SurfaceColumn const& column : columns) cells.push_back(column.cell(*row));
     text.rows.push_back(std::move(cells));
   }
   return render(text, options.style) + "\n";
 }
 
-std::vector<Column> law_columns() {
+std::vector<SurfaceColumn> law_columns() {
   auto const of = [](Estimate ErrorSurface::*member) {
     return [member](SurfaceRow const& row) { return with_interval(row.surface.error.*member); };
   };
@@ -175,8 +175,8 @@ std::vector<Column> law_columns() {
            }}};
 }
 
-std::vector<Column> rule_columns(std::string const& unit) {
-  std::vector<Column> columns;
+std::vector<SurfaceColumn> rule_columns(std::string const& unit) {
+  std::vector<SurfaceColumn> columns;
   for (auto const& [exponent, name] : {std::pair{0.0, "kept"}, {0.5, "N^0.5"}}) {
     auto const of = [unit, exponent = exponent](Estimate PathRule::*member) {
       return [=](SurfaceRow const& row) {
@@ -195,8 +195,8 @@ std::vector<Column> rule_columns(std::string const& unit) {
 }
 
 /// Start, end and what lies between, as "error: N, h/dx".
-std::vector<Column> path_columns(std::string const& unit) {
-  std::vector<Column> columns;
+std::vector<SurfaceColumn> path_columns(std::string const& unit) {
+  std::vector<SurfaceColumn> columns;
   constexpr int places = 4;
   for (int k = 0; k <= places; ++k) {
     std::string const name = k == 0 ? "start" : k == places ? "end" : "";
@@ -233,7 +233,7 @@ std::string tables_of(Rows const& rows, CompareOptions const& options) {
                 : hanging_lines("  ", words, 4, options.style.columns);
   }
   text += "\n";
-  std::vector<Column> by_law, of_grid;
+  std::vector<SurfaceColumn> by_law, of_grid;
   for (int const n : resolutions) {
     by_law.push_back({fmt::format("N = {}", n), [n](SurfaceRow const& row) {
                         BestRatio const* const best = best_at(row, n);

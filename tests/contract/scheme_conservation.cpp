@@ -19,7 +19,7 @@ struct Balance {
 };
 
 template <int Dim>
-Balance balance(Scene<Dim> const& scene, Rates<Dim> const& rates) {
+Balance balance(RandomScene<Dim> const& scene, Rates<Dim> const& rates) {
   auto const& m = scene.particles.masses();
   Balance sum;
   Vector<Dim> force = Vector<Dim>::Zero();
@@ -37,7 +37,7 @@ Balance balance(Scene<Dim> const& scene, Rates<Dim> const& rates) {
 
 /// Rate of kinetic plus internal energy of a momentum form with a work form that gives internal energy.
 template <int Dim>
-Balance energy_balance(Scene<Dim> const& scene, std::string_view momentum, std::string_view work) {
+Balance energy_balance(RandomScene<Dim> const& scene, std::string_view momentum, std::string_view work) {
   auto const a = evaluate(scene, momentum, false).acceleration;
   auto const heating = evaluate(scene, work, false).heating;
   auto const& v = scene.particles.vector(Field::velocity);
@@ -54,7 +54,7 @@ Balance energy_balance(Scene<Dim> const& scene, std::string_view momentum, std::
 BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_to_round_off_what_is_claimed_and_only_that, D, Dimensions) {
   constexpr int Dim = D::value;
   for (bool const periodic : {false, true}) {
-    Scene<Dim> scene = random_scene<Dim>(1, count);
+    RandomScene<Dim> scene = random_scene<Dim>(1, count);
     scene.domain.periodic.fill(periodic);
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       if (periodic && Dim == 3) continue;  // the box is shorter than two supports
@@ -72,7 +72,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_to_round_off_what_is_claimed_and_on
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_act_on_each_other_equally_where_conservation_is_claimed, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(3, 2);
+  RandomScene<Dim> const scene = random_scene<Dim>(3, 2);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     if (scheme->conserves.empty()) continue;
     Balance const pair = balance(scene, evaluate(scene, scheme->id, false));
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_act_on_each_other_equally_where_cons
 BOOST_AUTO_TEST_CASE_TEMPLATE(with_walls_the_particles_gain_exactly_what_the_walls_give, D, Dimensions) {
   constexpr int Dim = D::value;
   for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
-    Scene<Dim> scene = random_scene<Dim>(1, count);
+    RandomScene<Dim> scene = random_scene<Dim>(1, count);
     scene.face_weight = rule;
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       if (scheme->conserves.empty()) continue;
@@ -104,7 +104,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(with_walls_the_particles_gain_exactly_what_the_wal
 BOOST_AUTO_TEST_CASE_TEMPLATE(momentum_forms_conserve_energy_with_their_own_partner_and_with_no_other, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(2, count);
+  RandomScene<Dim> const scene = random_scene<Dim>(2, count);
   for (SchemeInfo const* momentum : all_scheme_infos()) {
     if (momentum->rate != Rate::acceleration) continue;
     for (SchemeInfo const* work : all_scheme_infos()) {
@@ -126,7 +126,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(total_energy_less_the_work_of_p_rho2_is_the_intern
                               Dimensions) {
   constexpr int Dim = D::value;
   for (bool const walls : {false, true}) {
-    Scene<Dim> const scene = random_scene<Dim>(4, count);
+    RandomScene<Dim> const scene = random_scene<Dim>(4, count);
     auto const a = evaluate(scene, "momentum/p-rho2", walls).acceleration;
     std::vector<double> internal = evaluate(scene, "work/total-energy", walls).heating;
     for (std::size_t i = 0; i < count; ++i)

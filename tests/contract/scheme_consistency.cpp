@@ -14,8 +14,8 @@ constexpr double ratios[] = {1.0, 1.2, 1.5};
 
 /// A lattice so large that both passes of the particle at the origin see no edge.
 template <int Dim>
-Scene<Dim> lattice(double ratio) {
-  Scene<Dim> scene = lattice_scene<Dim>(2 * static_cast<int>(std::ceil(4.0 * ratio)) + 1, spacing, ratio);
+RandomScene<Dim> lattice(double ratio) {
+  RandomScene<Dim> scene = lattice_scene<Dim>(2 * static_cast<int>(std::ceil(4.0 * ratio)) + 1, spacing, ratio);
   scene.particles.scalar(Field::density).assign(scene.particles.size(), 1.3);
   for (double& m : scene.particles.masses()) m *= 1.3;
   scene.particles.scalar(Field::pressure).assign(scene.particles.size(), 0.9);
@@ -25,12 +25,12 @@ Scene<Dim> lattice(double ratio) {
 }
 
 template <int Dim>
-std::size_t centre(Scene<Dim> const& scene) {
+std::size_t centre(RandomScene<Dim> const& scene) {
   return scene.particles.size() / 2;
 }
 
 template <int Dim>
-double factor(Scene<Dim> const& scene) {
+double factor(RandomScene<Dim> const& scene) {
   dense::State<Dim> const s(scene);
   std::size_t const i = centre(scene);
   BOOST_TEST_REQUIRE(s.x(i).norm() < 1e-14);
@@ -43,7 +43,7 @@ double factor(Scene<Dim> const& scene) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_state_is_steady_in_the_interior, D, Dimensions) {
   constexpr int Dim = D::value;
   for (double const ratio : ratios) {
-    Scene<Dim> scene = lattice<Dim>(ratio);
+    RandomScene<Dim> scene = lattice<Dim>(ratio);
     Vector<Dim> const velocity = Random(1).vector<Dim>(-1.0, 1.0);
     for (std::size_t i = 0; i < scene.particles.size(); ++i)
       scene.particles.vector(Field::velocity).set(i, velocity);
@@ -62,7 +62,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_latt
   constexpr int Dim = D::value;
   for (double const ratio : ratios) {
     Random random(2);
-    Scene<Dim> scene = lattice<Dim>(ratio);
+    RandomScene<Dim> scene = lattice<Dim>(ratio);
     Particles<Dim>& p = scene.particles;
     std::size_t const i = centre(scene);
     double const rho = 1.3;
@@ -71,18 +71,18 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_latt
     BOOST_TEST(D1 == 1.0, boost::test_tools::tolerance(0.12));
 
     // A small pressure gradient, so that the root of pressure is linear too.
-    Scene<Dim> pushed = scene;
+    RandomScene<Dim> pushed = scene;
     Vector<Dim> const g = 1e-4 * random.vector<Dim>(0.5, 2.0);
     for (std::size_t j = 0; j < p.size(); ++j)
       pushed.particles.scalar(Field::pressure)[j] += g.dot(p.positions()[j]);
     // A velocity with divergence and rotation.
-    Scene<Dim> moving = scene;
+    RandomScene<Dim> moving = scene;
     Matrix<Dim> G;
     for (int k = 0; k < Dim; ++k) G.col(k) = random.vector<Dim>(-1.0, 1.0);
     for (std::size_t j = 0; j < p.size(); ++j)
       moving.particles.vector(Field::velocity).set(j, G * p.positions()[j]);
     // Linear temperature in a medium of linear conductivity: div(K grad T) = grad K . grad T.
-    Scene<Dim> conducting = scene;
+    RandomScene<Dim> conducting = scene;
     Vector<Dim> const t = random.vector<Dim>(0.2, 0.9);
     Vector<Dim> const k = random.vector<Dim>(0.2, 0.9);
     for (std::size_t j = 0; j < p.size(); ++j) {
@@ -109,7 +109,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_latt
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(linear_temperature_in_a_uniform_medium_is_steady, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = lattice<Dim>(1.2);
+  RandomScene<Dim> scene = lattice<Dim>(1.2);
   Vector<Dim> const t = Random(3).vector<Dim>(0.2, 0.9);
   for (std::size_t j = 0; j < scene.particles.size(); ++j) {
     scene.particles.scalar(Field::temperature)[j] += t.dot(scene.particles.positions()[j]);

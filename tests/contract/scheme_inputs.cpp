@@ -26,10 +26,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_not_declared_read_are_not_read, D,
   constexpr int Dim = D::value;
   for (unsigned prescribed = 0; prescribed < 16; ++prescribed) {
     for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
-      Scene<Dim> scene = random_scene<Dim>(1, count, subset(prescribed), subset(prescribed));
+      RandomScene<Dim> scene = random_scene<Dim>(1, count, subset(prescribed), subset(prescribed));
       scene.closure = closure;
       for (SchemeInfo const* scheme : all_scheme_infos()) {
-        Scene<Dim> poisoned = scene;
+        RandomScene<Dim> poisoned = scene;
         for (FieldInfo const& field : field_infos) {
           bool const read = scheme->reads.contains(field.field) || field.field == Field::position ||
                             field.field == Field::mass;
@@ -44,13 +44,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_not_declared_read_are_not_read, D,
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_declared_read_matter, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(2, count);
+  RandomScene<Dim> const scene = random_scene<Dim>(2, count);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     auto const before = evaluate(scene, scheme->id).numbers();
     for (FieldInfo const& field : field_infos) {
       bool const always = field.field == Field::position || field.field == Field::mass;
       if (!always && !scheme->reads.contains(field.field)) continue;
-      Scene<Dim> changed = scene;
+      RandomScene<Dim> changed = scene;
       if (field.field == Field::position) {
         changed.particles.positions().add(5, Vector<Dim>::Constant(1e-3));  // less than the gap to the walls
       } else if (field.is_vector) {
@@ -82,11 +82,11 @@ constexpr BoundaryValue boundary_values[] = {BoundaryValue::pressure, BoundaryVa
 BOOST_AUTO_TEST_CASE_TEMPLATE(wall_values_that_are_not_declared_read_are_not_read_and_those_declared_are, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(4, count, subset(15), subset(15));
+  RandomScene<Dim> const scene = random_scene<Dim>(4, count, subset(15), subset(15));
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     auto const before = evaluate(scene, scheme->id).numbers();
     for (BoundaryValue const value : boundary_values) {
-      Scene<Dim> poisoned = scene;
+      RandomScene<Dim> poisoned = scene;
       poison(poisoned.walls[0], {value});
       bool const changed = !same_bits(evaluate(poisoned, scheme->id).numbers(), before);
       // These walls prescribe temperature too, so that a scheme which takes the flux only for want of it
@@ -100,7 +100,7 @@ BOOST_AUTO_TEST_CASE(wall_values_that_a_scheme_reads_if_prescribed_matter_where_
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     for (BoundaryValue const value : boundary_values) {
       if (!scheme->boundary_if_prescribed.contains(value)) continue;
-      Scene<2> scene = random_scene<2>(3, count, {value}, {});
+      RandomScene<2> scene = random_scene<2>(3, count, {value}, {});
       auto const before = evaluate(scene, scheme->id).numbers();
       poison(scene.walls[0], {value});
       BOOST_TEST(!same_bits(evaluate(scene, scheme->id).numbers(), before), scheme->id);
@@ -113,7 +113,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_random_states_are_finite, D, Dimensions) 
   for (std::uint64_t seed = 0; seed < 16; ++seed) {
     for (std::size_t const particles : {1u, 2u, 3u, 4u, 50u}) {
       for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
-        Scene<Dim> scene = random_scene<Dim>(seed, particles, subset(static_cast<unsigned>(seed)), subset(5));
+        RandomScene<Dim> scene = random_scene<Dim>(seed, particles, subset(static_cast<unsigned>(seed)), subset(5));
         scene.face_weight = rule;
         scene.closure = seed % 2 == 0 ? Closure::interpolated : Closure::one_sided;
         for (SchemeInfo const* scheme : all_scheme_infos()) {
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_finite_at_the_edge_of_a_walls_reach, D, 
   std::size_t met = 0;
   Random random(5);
   for (int n = 0; n < 300; ++n) {
-    Scene<Dim> scene = random_scene<Dim>(static_cast<std::uint64_t>(n), 1);
+    RandomScene<Dim> scene = random_scene<Dim>(static_cast<std::uint64_t>(n), 1);
     double const h = scene.particles.smoothing_length();
     scene.walls.pop_back();
     Vector<Dim> const normal = scene.walls[0].outward_normal;
@@ -153,7 +153,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_finite_at_the_edge_of_a_walls_reach, D, 
 BOOST_AUTO_TEST_CASE_TEMPLATE(particle_that_enters_a_walls_reach_alone_is_not_kicked, D, Dimensions) {
   constexpr int Dim = D::value;
   for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact}) {
-    Scene<Dim> scene = random_scene<Dim>(1, 1);
+    RandomScene<Dim> scene = random_scene<Dim>(1, 1);
     scene.face_weight = rule;
     scene.walls.pop_back();
     Wall<Dim>& wall = scene.walls[0];
@@ -177,7 +177,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(particle_that_enters_a_walls_reach_alone_is_not_ki
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(particle_without_neighbours_or_walls_has_rate_zero, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(1, 1);
+  RandomScene<Dim> scene = random_scene<Dim>(1, 1);
   for (bool const far_walls : {false, true}) {
     for (Wall<Dim>& wall : scene.walls) wall.point += 10.0 * wall.outward_normal;
     for (SchemeInfo const* scheme : all_scheme_infos()) {
@@ -197,12 +197,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(negative_values_are_refused_by_name_or_give_finite
         return message.find(scheme->id) != std::string::npos && message.find(what) != std::string::npos;
       };
     };
-    Scene<Dim> const scene = random_scene<Dim>(6, count);
-    Scene<Dim> inside = scene;
+    RandomScene<Dim> const scene = random_scene<Dim>(6, count);
+    RandomScene<Dim> inside = scene;
     inside.particles.scalar(Field::pressure)[17] = -1e-9;
-    Scene<Dim> at_wall = scene;
+    RandomScene<Dim> at_wall = scene;
     at_wall.walls[1].pressure = [](Vector<Dim> const&, double) { return -1e-9; };
-    Scene<Dim> empty = scene;
+    RandomScene<Dim> empty = scene;
     empty.particles.scalar(Field::pressure)[17] = 0.0;
     BOOST_CHECK_NO_THROW(evaluate(empty, scheme->id));
     if (scheme->non_negative.contains(Field::pressure)) {

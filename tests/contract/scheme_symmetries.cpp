@@ -12,8 +12,8 @@ constexpr double round_off = 1e-10;
 
 /// Random scenes in which walls prescribe all, a flux only, or nothing.
 template <int Dim>
-std::vector<Scene<Dim>> scenes() {
-  std::vector<Scene<Dim>> list;
+std::vector<RandomScene<Dim>> scenes() {
+  std::vector<RandomScene<Dim>> list;
   list.push_back(random_scene<Dim>(11, count));
   list.push_back(random_scene<Dim>(12, count, {BoundaryValue::flux}, {}));
   list.push_back(random_scene<Dim>(13, count, {BoundaryValue::temperature}, {BoundaryValue::flux}));
@@ -24,8 +24,8 @@ std::vector<Scene<Dim>> scenes() {
 
 template <int Dim>
 void check_covariance(Matrix<Dim> const& turn, Vector<Dim> const& shift) {
-  for (Scene<Dim> const& scene : scenes<Dim>()) {
-    Scene<Dim> const moved = transformed(scene, turn, shift);
+  for (RandomScene<Dim> const& scene : scenes<Dim>()) {
+    RandomScene<Dim> const moved = transformed(scene, turn, shift);
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       Rates<Dim> expected = evaluate(scene, scheme->id);
       Rates<Dim> const found = evaluate(moved, scheme->id);
@@ -61,8 +61,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(mirroring_everything_mirrors_the_rates, D, Dimensi
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(order_of_the_particles_does_not_matter, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(14, count);
-  Scene<Dim> reversed = scene;
+  RandomScene<Dim> const scene = random_scene<Dim>(14, count);
+  RandomScene<Dim> reversed = scene;
   for (FieldInfo const& field : field_infos) {
     if (!scene.particles.has(field.field)) continue;
     for (std::size_t i = 0; i < count; ++i) {
@@ -84,7 +84,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(order_of_the_particles_does_not_matter, D, Dimensi
 }
 
 template <int Dim>
-Scene<Dim> boosted(Scene<Dim> scene, Vector<Dim> const& u) {
+RandomScene<Dim> boosted(RandomScene<Dim> scene, Vector<Dim> const& u) {
   for (std::size_t i = 0; i < scene.particles.size(); ++i) scene.particles.vector(Field::velocity).add(i, u);
   for (Wall<Dim>& wall : scene.walls) {
     if (!wall.velocity) continue;
@@ -98,7 +98,7 @@ Scene<Dim> boosted(Scene<Dim> scene, Vector<Dim> const& u) {
 // The rate of total energy changes by exactly u.a: that of the kinetic energy of the boost.
 BOOST_AUTO_TEST_CASE_TEMPLATE(common_velocity_changes_no_rate_but_that_of_total_energy, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(15, count);
+  RandomScene<Dim> const scene = random_scene<Dim>(15, count);
   Vector<Dim> const u = Random(1).vector<Dim>(0.5, 2.0);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     std::vector<double> expected = evaluate(scene, scheme->id).numbers();
@@ -116,7 +116,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(common_velocity_changes_no_rate_but_that_of_total_
 // own.
 BOOST_AUTO_TEST_CASE_TEMPLATE(common_velocity_is_felt_at_a_wall_of_interpolated_velocity, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(15, count, {BoundaryValue::pressure}, {BoundaryValue::pressure});
+  RandomScene<Dim> const scene = random_scene<Dim>(15, count, {BoundaryValue::pressure}, {BoundaryValue::pressure});
   Vector<Dim> const u = Random(1).vector<Dim>(0.5, 2.0);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     if (scheme->rate != Rate::internal_work) continue;
@@ -127,7 +127,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(common_velocity_is_felt_at_a_wall_of_interpolated_
 }
 
 template <int Dim>
-Scene<Dim> warmer(Scene<Dim> scene, double shift) {
+RandomScene<Dim> warmer(RandomScene<Dim> scene, double shift) {
   for (double& T : scene.particles.scalar(Field::temperature)) T += shift;
   for (Wall<Dim>& wall : scene.walls) {
     if (!wall.temperature) continue;
@@ -142,7 +142,7 @@ Scene<Dim> warmer(Scene<Dim> scene, double shift) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(zero_of_temperature_matters_to_the_two_pass_forms_only, D, Dimensions) {
   constexpr int Dim = D::value;
   for (bool const walls : {false, true}) {
-    Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 9 : 12, 0.1, 1.2);
+    RandomScene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 9 : 12, 0.1, 1.2);
     Random random(16);
     std::vector<double> const mass = scene.particles.masses();
     randomise_fields(scene.particles, random);

@@ -49,9 +49,9 @@ double scale(Field field, Units const& u) {
 }
 
 template <int Dim>
-Scene<Dim> in_units(Scene<Dim> const& scene, Units const& u) {
+RandomScene<Dim> in_units(RandomScene<Dim> const& scene, Units const& u) {
   std::size_t const n = scene.particles.size();
-  Scene<Dim> scaled{.particles = Particles<Dim>(n, u.length * scene.particles.smoothing_length()),
+  RandomScene<Dim> scaled{.particles = Particles<Dim>(n, u.length * scene.particles.smoothing_length()),
                     .domain = scene.domain,
                     .walls = scene.walls,
                     .face_weight = scene.face_weight,
@@ -101,10 +101,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_scale_with_their_units_bit_for_bit, D, Dimen
         Units{1.0, 1.0, 1.0, 64.0}, Units{1.0 / 64.0, 4.0, 16.0, 0.25}}) {
     for (unsigned prescribed : {0u, 7u, 8u, 15u}) {
       for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
-        Scene<Dim> scene = random_scene<Dim>(1, 50, subset(prescribed), subset(7));
+        RandomScene<Dim> scene = random_scene<Dim>(1, 50, subset(prescribed), subset(7));
         scene.face_weight = rule;
         scene.closure = prescribed == 8u ? Closure::one_sided : Closure::interpolated;
-        Scene<Dim> const scaled = in_units(scene, units);
+        RandomScene<Dim> const scaled = in_units(scene, units);
         for (SchemeInfo const* scheme : all_scheme_infos()) {
           std::vector<double> expected = evaluate(scene, scheme->id).numbers();
           for (double& rate : expected) rate *= scale<Dim>(output_field(scheme->rate), units);

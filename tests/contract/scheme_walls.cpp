@@ -12,8 +12,8 @@ constexpr std::size_t count = 60;
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(without_contacts_the_walls_are_not_felt, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(1, count);
-  Scene<Dim> open = scene;
+  RandomScene<Dim> const scene = random_scene<Dim>(1, count);
+  RandomScene<Dim> open = scene;
   open.walls.clear();
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     Rates<Dim> const control = evaluate(scene, scheme->id, false);
@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(without_contacts_the_walls_are_not_felt, D, Dimens
 
 /// Particles that a wall's term can reach: in contact with it, or of a two-pass form beside one that is.
 template <int Dim>
-std::vector<bool> within_reach_of_walls(Scene<Dim> const& scene, bool two_pass) {
+std::vector<bool> within_reach_of_walls(RandomScene<Dim> const& scene, bool two_pass) {
   PairGeometry<Dim> const geometry = geometry_of(scene);
   std::vector<bool> touched(count, false);
   for (auto const& contacts : geometry.contacts) {
@@ -44,7 +44,7 @@ std::vector<bool> within_reach_of_walls(Scene<Dim> const& scene, bool two_pass) 
 }
 
 BOOST_AUTO_TEST_CASE(walls_reach_two_smoothing_lengths_and_four_in_two_passes) {
-  Scene<1> const scene = random_scene<1>(1, count);
+  RandomScene<1> const scene = random_scene<1>(1, count);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     auto const with = evaluate(scene, scheme->id).numbers();
     auto const without = evaluate(scene, scheme->id, false).numbers();
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(walls_reach_two_smoothing_lengths_and_four_in_two_passes) {
 
 /// The scheme's rates where one of the walls is not felt. It still bounds the other's face.
 template <int Dim>
-Rates<Dim> without_contacts(Scene<Dim> scene, std::string_view id, std::size_t wall) {
+Rates<Dim> without_contacts(RandomScene<Dim> scene, std::string_view id, std::size_t wall) {
   PairGeometry<Dim> geometry = geometry_of(scene);
   geometry.contacts.erase(geometry.contacts.begin() + static_cast<std::ptrdiff_t>(wall));
   geometry.walls.erase(geometry.walls.begin() + static_cast<std::ptrdiff_t>(wall));
@@ -69,7 +69,7 @@ Rates<Dim> without_contacts(Scene<Dim> scene, std::string_view id, std::size_t w
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_each_wall_adds, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(2, count);
+  RandomScene<Dim> const scene = random_scene<Dim>(2, count);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     if (scheme->two_pass) continue;  // there the walls act through the first pass as well
     Rates<Dim> const both = evaluate(scene, scheme->id);
@@ -95,8 +95,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_eac
 
 /// Scenes in which heating is linear in temperature and in conductivity: no flux is prescribed.
 template <int Dim>
-std::vector<Scene<Dim>> without_prescribed_flux() {
-  std::vector<Scene<Dim>> list;
+std::vector<RandomScene<Dim>> without_prescribed_flux() {
+  std::vector<RandomScene<Dim>> list;
   for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
     list.push_back(random_scene<Dim>(3, count));
     list.back().closure = closure;
@@ -108,8 +108,8 @@ std::vector<Scene<Dim>> without_prescribed_flux() {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_conductivity_gives_twice_the_heating, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (Scene<Dim> const& scene : without_prescribed_flux<Dim>()) {
-    Scene<Dim> twice = scene;
+  for (RandomScene<Dim> const& scene : without_prescribed_flux<Dim>()) {
+    RandomScene<Dim> twice = scene;
     for (double& K : twice.particles.scalar(Field::conductivity)) K *= 2.0;
     for (Wall<Dim>& wall : twice.walls) {
       if (!wall.conductivity) continue;
@@ -128,8 +128,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_conductivity_gives_twice_the_heating, D,
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_temperature_gives_twice_the_heating, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (Scene<Dim> const& scene : without_prescribed_flux<Dim>()) {
-    Scene<Dim> twice = scene;
+  for (RandomScene<Dim> const& scene : without_prescribed_flux<Dim>()) {
+    RandomScene<Dim> twice = scene;
     for (double& T : twice.particles.scalar(Field::temperature)) T *= 2.0;
     for (Wall<Dim>& wall : twice.walls) {
       if (!wall.temperature) continue;
@@ -146,7 +146,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(twice_the_temperature_gives_twice_the_heating, D, 
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(hot_wall_heats_and_high_pressure_pushes_inwards, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 9 : 12, 0.1, 1.2);
+  RandomScene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 9 : 12, 0.1, 1.2);
   std::size_t const n = scene.particles.size();
   for (Field const field : {Field::pressure, Field::temperature, Field::conductivity}) {
     scene.particles.scalar(field).assign(n, 1.0);
@@ -184,7 +184,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(along_a_wall_a_gradient_is_felt_by_the_part_of_the
     constexpr double ratio = 2.4;
     constexpr double slope = 1e-4;  // so small that the root of pressure is linear too
     int const side = 2 * static_cast<int>(std::ceil(2.0 * ratio)) + 2;
-    Scene<Dim> scene = lattice_scene<Dim>(side, spacing, ratio);
+    RandomScene<Dim> scene = lattice_scene<Dim>(side, spacing, ratio);
     Particles<Dim>& p = scene.particles;
     Wall<Dim> wall;
     wall.point = scene.domain.lower;

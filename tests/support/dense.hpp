@@ -139,7 +139,7 @@ double wedge_fraction(double d, double cosine, double h) {
 template <int Dim>
 class State {
  public:
-  explicit State(Scene<Dim> const& scene) : s_(&scene) {}
+  explicit State(RandomScene<Dim> const& scene) : s_(&scene) {}
 
   std::size_t particles() const { return s_->particles.size(); }
   std::size_t walls() const { return s_->walls.size(); }
@@ -278,7 +278,7 @@ class State {
 
   mutable std::map<std::pair<std::size_t, std::size_t>, double> factors_;
 
-  Scene<Dim> const* s_;
+  RandomScene<Dim> const* s_;
 };
 
 /// The scenes on which a scheme must agree with its equation: every subset of prescribed values, every face
@@ -289,7 +289,7 @@ void for_each_scene(Compare const& compare) {
   for (unsigned number = 0; number < 16; ++number) {
     for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
       for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
-        Scene<Dim> scene =
+        RandomScene<Dim> scene =
             random_scene<Dim>(100 + number, counts[Dim - 1], subset(number), subset(5 * number + 3));
         scene.face_weight = rule;
         scene.closure = closure;
@@ -305,7 +305,7 @@ void for_each_scene(Compare const& compare) {
 template <int Dim, class Equation>
 double deviation(std::string_view id, Equation const& equation) {
   double worst = 0.0;
-  for_each_scene<Dim>([&](Scene<Dim> const& scene, bool with_walls) {
+  for_each_scene<Dim>([&](RandomScene<Dim> const& scene, bool with_walls) {
     auto const expected = equation(State<Dim>(scene), with_walls);
     Rates<Dim> const found = evaluate(scene, id, with_walls);
     if constexpr (std::is_same_v<decltype(expected), std::vector<double> const>) {

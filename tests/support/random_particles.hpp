@@ -62,7 +62,7 @@ class Random {
 };
 
 template <int Dim>
-struct Scene {
+struct RandomScene {
   Particles<Dim> particles;
   Domain<Dim> domain;
   std::vector<Wall<Dim>> walls{};
@@ -134,11 +134,11 @@ void randomise_fields(Particles<Dim>& particles, Random& random) {
 /// Particles at random places of the unit box between two walls of random orientation (so that in more than
 /// one dimension they meet in a corner), the first particle 0.2 h from each.
 template <int Dim>
-Scene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet first = no_flux,
+RandomScene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet first = no_flux,
                         BoundaryValueSet second = no_flux) {
   Random random(seed);
   double const h = 1.3 * std::pow(static_cast<double>(count), -1.0 / Dim);
-  Scene<Dim> scene{.particles = Particles<Dim>(count, h),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
                    .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
   for (std::size_t i = 0; i < count; ++i) scene.particles.positions().set(i, random.vector<Dim>(0.0, 1.0));
   randomise_fields(scene.particles, random);
@@ -158,11 +158,11 @@ Scene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet 
 /// A cubic lattice of `side` particles per axis around the origin, with volumes dx^Dim and unit density.
 /// No walls; only positions, masses and density are set.
 template <int Dim>
-Scene<Dim> lattice_scene(int side, double spacing, double smoothing_ratio) {
+RandomScene<Dim> lattice_scene(int side, double spacing, double smoothing_ratio) {
   std::size_t count = 1;
   for (int k = 0; k < Dim; ++k) count *= static_cast<std::size_t>(side);
   Vector<Dim> const corner = Vector<Dim>::Constant(0.5 * spacing * side);
-  Scene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio * spacing),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio * spacing),
                    .domain = {.lower = -corner, .upper = corner}};
   scene.particles.allocate(all_fields);
   for (std::size_t i = 0; i < count; ++i) {
@@ -181,7 +181,7 @@ Scene<Dim> lattice_scene(int side, double spacing, double smoothing_ratio) {
 
 /// The same scene turned by an orthogonal matrix and moved.
 template <int Dim>
-Scene<Dim> transformed(Scene<Dim> scene, Matrix<Dim> const& turn, Vector<Dim> const& shift) {
+RandomScene<Dim> transformed(RandomScene<Dim> scene, Matrix<Dim> const& turn, Vector<Dim> const& shift) {
   auto& positions = scene.particles.positions();
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     positions.set(i, turn * positions[i] + shift);
@@ -216,7 +216,7 @@ inline std::vector<std::uint32_t> sorted_row(NeighbourList const& list, std::siz
 
 /// Neighbours and wall contacts, by the particles' own smoothing lengths where they have such.
 template <int Dim>
-PairGeometry<Dim> geometry_of(Scene<Dim> const& scene, bool with_walls = true) {
+PairGeometry<Dim> geometry_of(RandomScene<Dim> const& scene, bool with_walls = true) {
   SmoothingLength const h(scene.particles);
   CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h.largest());
   PairGeometry<Dim> geometry;
@@ -250,7 +250,7 @@ struct Rates {
 };
 
 template <int Dim>
-Rates<Dim> evaluate(Scene<Dim> scene, std::string_view id, PairGeometry<Dim> geometry, int threads = 1) {
+Rates<Dim> evaluate(RandomScene<Dim> scene, std::string_view id, PairGeometry<Dim> geometry, int threads = 1) {
   auto const scheme = make_rate_operator<Dim>(id);
   scene.particles.allocate(needed_fields(scheme->info()));
   Rates<Dim> rates;
@@ -269,7 +269,7 @@ Rates<Dim> evaluate(Scene<Dim> scene, std::string_view id, PairGeometry<Dim> geo
 }
 
 template <int Dim>
-Rates<Dim> evaluate(Scene<Dim> const& scene, std::string_view id, bool with_walls = true, int threads = 1) {
+Rates<Dim> evaluate(RandomScene<Dim> const& scene, std::string_view id, bool with_walls = true, int threads = 1) {
   return evaluate(scene, id, geometry_of(scene, with_walls), threads);
 }
 

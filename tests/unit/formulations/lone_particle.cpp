@@ -25,8 +25,8 @@ constexpr double wall_flux = 0.8;
 
 /// The wall's outward normal is the first axis; the particle is as far inside as asked.
 template <int Dim>
-Scene<Dim> beside_a_wall(double distance, bool with_flux) {
-  Scene<Dim> scene{.particles = Particles<Dim>(1, h),
+RandomScene<Dim> beside_a_wall(double distance, bool with_flux) {
+  RandomScene<Dim> scene{.particles = Particles<Dim>(1, h),
                    .domain = {.lower = Vector<Dim>::Constant(-5.0), .upper = Vector<Dim>::Constant(5.0)}};
   scene.particles.allocate(all_fields);
   scene.particles.positions().set(0, -distance * Vector<Dim>::Unit(0));

@@ -24,7 +24,7 @@ BOOST_AUTO_TEST_CASE(schemes_are_found_by_identifier_and_unknown_ones_refused_by
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluations, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(1, 50);
+  RandomScene<Dim> scene = random_scene<Dim>(1, 50);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     PairGeometry<Dim> geometry = geometry_of(scene);
     std::size_t const contacts = geometry.contacts[0].size() + geometry.contacts[1].size();
@@ -41,7 +41,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluat
 }
 
 BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result) {
-  Scene<2> scene = random_scene<2>(1, 50);
+  RandomScene<2> scene = random_scene<2>(1, 50);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     PairGeometry<2> geometry = geometry_of(scene);
     auto const operator_ = make_rate_operator<2>(scheme->id);
@@ -64,7 +64,7 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result) {
 
 BOOST_AUTO_TEST_CASE(time_reaches_what_the_walls_prescribe) {
   for (SchemeInfo const* scheme : all_scheme_infos()) {
-    Scene<1> scene = random_scene<1>(1, 30);
+    RandomScene<1> scene = random_scene<1>(1, 30);
     auto const now = evaluate(scene, scheme->id).numbers();
     scene.time += 0.3;
     BOOST_TEST(relative_difference(evaluate(scene, scheme->id).numbers(), now) > 1e-4, scheme->id);

@@ -43,10 +43,10 @@ std::vector<Vector<Dim>> vectors_of(Json const& list) {
 }
 
 template <int Dim>
-Scene<Dim> scene_of(Json const& state) {
+RandomScene<Dim> scene_of(Json const& state) {
   Json const& data = state.at("particles");
   std::size_t const n = data.at("mass").size();
-  Scene<Dim> scene{.particles = Particles<Dim>(n, data.at("smoothing_length").get<double>()),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(n, data.at("smoothing_length").get<double>()),
                    .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
   for (FieldInfo const& field : field_infos) {
     auto const values = data.find(field.name);
@@ -94,7 +94,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_every_scheme_and_control, D, Dimensions) 
   std::map<std::string, int> met;
   for (Json const& entry : document(Dim)) {
     BOOST_TEST_REQUIRE(entry.at("state").at("dimension").get<int>() == Dim);
-    Scene<Dim> const scene = scene_of<Dim>(entry.at("state"));
+    RandomScene<Dim> const scene = scene_of<Dim>(entry.at("state"));
     for (auto const& [name, expected] : entry.at("expected").at("rates").items()) {
       bool const control = name.ends_with(without_walls);
       std::string const id = control ? name.substr(0, name.size() - without_walls.size()) : name;
@@ -134,7 +134,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(densities, D, Dimensions) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(face_weights_and_densities_at_the_foot_points, D, Dimensions) {
   constexpr int Dim = D::value;
   for (Json const& entry : document(Dim)) {
-    Scene<Dim> const scene = scene_of<Dim>(entry.at("state"));
+    RandomScene<Dim> const scene = scene_of<Dim>(entry.at("state"));
     double const h = scene.particles.smoothing_length();
     CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
     PairGeometry<Dim> const geometry = geometry_of(scene);

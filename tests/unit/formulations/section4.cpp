@@ -18,8 +18,8 @@ constexpr double rho = 1.3;
 constexpr int count = 20;
 
 /// Equally spaced particles of uniform given density and arbitrary pressures, the last of them at x = 9.5 h.
-Scene<1> line() {
-  Scene<1> scene = lattice_scene<1>(count, h, 1.0);
+RandomScene<1> line() {
+  RandomScene<1> scene = lattice_scene<1>(count, h, 1.0);
   Random random(4);
   for (std::size_t i = 0; i < count; ++i) {
     scene.particles.masses()[i] = rho * h;
@@ -42,15 +42,15 @@ double half_over_h() {
 
 constexpr double wall_pressure = 1.7;
 
-Scene<1> line_to_a_wall() {
-  Scene<1> scene = line();
+RandomScene<1> line_to_a_wall() {
+  RandomScene<1> scene = line();
   scene.walls.push_back({.point = Vector<1>(9.5 * h + half_over_h() * h), .outward_normal = Vector<1>(1.0)});
   scene.walls[0].pressure = [](Vector<1> const&, double) { return wall_pressure; };
   return scene;
 }
 
 BOOST_AUTO_TEST_CASE(equation_27_slope_of_the_kernel_at_the_two_neighbours) {
-  Scene<1> const scene = line();
+  RandomScene<1> const scene = line();
   PairGeometry<1> const geometry = geometry_of(scene, false);
   GatheredPairs<1> const pairs = gathered_pairs(scene.particles, geometry);
   auto const& list = geometry.neighbours;
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE(equation_27_slope_of_the_kernel_at_the_two_neighbours) {
 }
 
 BOOST_AUTO_TEST_CASE(equations_26_and_28_central_difference_far_from_any_wall) {
-  Scene<1> const scene = line();
+  RandomScene<1> const scene = line();
   auto const& P = scene.particles.scalar(Field::pressure);
   auto const a = evaluate(scene, "momentum/p-rho2").acceleration;
   for (std::size_t i = 1; i + 1 < count; ++i) {
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(equations_26_and_28_central_difference_far_from_any_wall) {
 
 // The density at the wall is twice the kernel sum there: W at 0.4662 h and 1.4662 h.
 BOOST_AUTO_TEST_CASE(equation_29_at_a_wall_where_w_is_half_over_h) {
-  Scene<1> const scene = line_to_a_wall();
+  RandomScene<1> const scene = line_to_a_wall();
   auto const& P = scene.particles.scalar(Field::pressure);
   double const s = half_over_h();
   BOOST_TEST(s == 0.46618, tolerance(1e-4));
@@ -92,7 +92,7 @@ BOOST_AUTO_TEST_CASE(equation_29_at_a_wall_where_w_is_half_over_h) {
 
 // Eq. 30 takes the density at the wall for that of the fluid, where the kernel sum gives 5% more.
 BOOST_AUTO_TEST_CASE(equation_30_central_difference_between_the_wall_and_the_particle_before) {
-  Scene<1> scene = line_to_a_wall();
+  RandomScene<1> scene = line_to_a_wall();
   auto const& P = scene.particles.scalar(Field::pressure);
   PairGeometry<1> geometry = geometry_of(scene);
   BOOST_TEST(geometry.contacts[0].foot_density.back() == 1.0505 * rho, tolerance(1e-3));

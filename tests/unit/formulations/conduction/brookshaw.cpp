@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(insulated_wall_gives_nothing, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(2, 40, {}, {});
+  RandomScene<Dim> scene = random_scene<Dim>(2, 40, {}, {});
   for (Wall<Dim>& wall : scene.walls) {
     wall.flux = [](Vector<Dim> const&, double) -> Vector<Dim> { return Vector<Dim>::Zero(); };
   }
@@ -49,7 +49,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(insulated_wall_gives_nothing, D, Dimensions) {
 }
 
 BOOST_AUTO_TEST_CASE(prescribed_flux_enters_whole_on_a_fine_lattice) {
-  Scene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
+  RandomScene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
   scene.particles.scalar(Field::temperature).assign(400, 1.0);
   scene.particles.scalar(Field::conductivity).assign(400, 1.0);
   scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});
@@ -60,7 +60,7 @@ BOOST_AUTO_TEST_CASE(prescribed_flux_enters_whole_on_a_fine_lattice) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(heat_flows_from_hot_to_cold_in_every_pair, D, Dimensions) {
   constexpr int Dim = D::value;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Scene<Dim> const scene = random_scene<Dim>(seed, 2);
+    RandomScene<Dim> const scene = random_scene<Dim>(seed, 2);
     auto const& T = scene.particles.scalar(Field::temperature);
     BOOST_TEST(evaluate(scene, id, false).heating[0] * (T[1] - T[0]) >= 0.0);
   }
@@ -68,7 +68,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(heat_flows_from_hot_to_cold_in_every_pair, D, Dime
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_temperature_is_exactly_steady_on_disorder, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(3, 40, {}, {});
+  RandomScene<Dim> scene = random_scene<Dim>(3, 40, {}, {});
   scene.particles.scalar(Field::temperature).assign(40, 1.7);
   for (Wall<Dim>& wall : scene.walls) {
     wall.temperature = [](Vector<Dim> const&, double) { return 1.7; };

@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_its_flux_on_the_particles, D, Dimensions) {
   constexpr int Dim = D::value;
-  dense::for_each_scene<Dim>([](Scene<Dim> const& scene, bool with_walls) {
+  dense::for_each_scene<Dim>([](RandomScene<Dim> const& scene, bool with_walls) {
     auto const expected = flux_equation(dense::State<Dim>(scene), with_walls);
     BOOST_TEST(relative_difference(evaluate(scene, id, with_walls).flux, expected) < dense::round_off);
   });
@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_its_flux_on_the_particles, D, Dimensions) {
 // wave never starts (equations.md). A one-sided closure starts it.
 BOOST_AUTO_TEST_CASE(
     medium_that_does_not_conduct_takes_no_heat_from_a_hot_wall_unless_the_closure_is_one_sided) {
-  Scene<1> scene = lattice_scene<1>(40, 0.05, 1.2);
+  RandomScene<1> scene = lattice_scene<1>(40, 0.05, 1.2);
   scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});
   scene.walls[0].temperature = [](Vector<1> const&, double) { return 1.0; };
   scene.walls[0].conductivity = [](Vector<1> const&, double) { return 1.0; };

@@ -47,14 +47,14 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(leaves_its_flux_on_the_particles, D, Dimensions) {
   constexpr int Dim = D::value;
-  dense::for_each_scene<Dim>([](Scene<Dim> const& scene, bool with_walls) {
+  dense::for_each_scene<Dim>([](RandomScene<Dim> const& scene, bool with_walls) {
     auto const expected = flux_equation(dense::State<Dim>(scene), with_walls);
     BOOST_TEST(relative_difference(evaluate(scene, id, with_walls).flux, expected) < dense::round_off);
   });
 }
 
 BOOST_AUTO_TEST_CASE(wall_delivers_half_of_a_prescribed_flux_on_a_fine_lattice) {
-  Scene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
+  RandomScene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
   scene.particles.scalar(Field::temperature).assign(400, 1.0);
   scene.particles.scalar(Field::conductivity).assign(400, 1.0);
   scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});

@@ -11,7 +11,7 @@ using namespace sphverify::tests;
 using boost::test_tools::tolerance;
 
 template <int Dim>
-std::vector<double> density_rate(Scene<Dim> scene, bool with_walls = true, int threads = 1) {
+std::vector<double> density_rate(RandomScene<Dim> scene, bool with_walls = true, int threads = 1) {
   auto const continuity = make_continuity_operator<Dim>();
   scene.particles.allocate(needed_fields(continuity->info()));
   PairGeometry<Dim> geometry = geometry_of(scene, with_walls);
@@ -37,7 +37,7 @@ std::vector<double> equation(dense::State<Dim> const& s, bool with_walls) {
 
 /// Adds a velocity to all particles and to what walls prescribe.
 template <int Dim>
-void boost_all(Scene<Dim>& scene, Vector<Dim> const& boost) {
+void boost_all(RandomScene<Dim>& scene, Vector<Dim> const& boost) {
   for (std::size_t i = 0; i < scene.particles.size(); ++i)
     scene.particles.vector(Field::velocity).add(i, boost);
   for (Wall<Dim>& wall : scene.walls) {
@@ -51,7 +51,7 @@ void boost_all(Scene<Dim>& scene, Vector<Dim> const& boost) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimensions) {
   constexpr int Dim = D::value;
   double worst = 0.0;
-  dense::for_each_scene<Dim>([&](Scene<Dim> const& scene, bool with_walls) {
+  dense::for_each_scene<Dim>([&](RandomScene<Dim> const& scene, bool with_walls) {
     auto const expected = equation(dense::State<Dim>(scene), with_walls);
     worst = std::max(worst, relative_difference(density_rate(scene, with_walls), expected));
   });
@@ -59,7 +59,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 }
 
 BOOST_AUTO_TEST_CASE(particles_that_approach_each_other_or_a_wall_grow_denser) {
-  Scene<1> scene{.particles = Particles<1>(2, 0.2),
+  RandomScene<1> scene{.particles = Particles<1>(2, 0.2),
                  .domain = {.lower = Vector<1>(-1.0), .upper = Vector<1>(1.0)}};
   scene.particles.allocate(all_fields);
   scene.particles.positions().component(0) = {-0.1, 0.1};
@@ -86,7 +86,7 @@ BOOST_AUTO_TEST_CASE(particles_that_approach_each_other_or_a_wall_grow_denser) {
 /// A fine lattice of density 1.7 that moves by a random linear velocity field, and its wall with it.
 template <int Dim>
 struct Compressed {
-  Scene<Dim> scene;
+  RandomScene<Dim> scene;
   double compression;  ///< -div v
 
   Compressed(int side, double smoothing_ratio) : scene(lattice_scene<Dim>(side, 1.0, smoothing_ratio)) {
@@ -160,7 +160,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(does_not_depend_on_the_frame, D, Dimensions) {
   Random random(6);
   for (Closure const closure : {Closure::quotient, Closure::one_sided}) {
     // The second wall's velocity comes from the closure.
-    Scene<Dim> scene = random_scene<Dim>(11, 60, {BoundaryValue::velocity}, {BoundaryValue::pressure});
+    RandomScene<Dim> scene = random_scene<Dim>(11, 60, {BoundaryValue::velocity}, {BoundaryValue::pressure});
     scene.closure = closure;
     for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
     std::vector<double> const rest = density_rate(scene);
@@ -171,7 +171,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(does_not_depend_on_the_frame, D, Dimensions) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(density_stands_still_exactly_where_all_moves_with_the_wall, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(12, 60, {}, {});
+  RandomScene<Dim> scene = random_scene<Dim>(12, 60, {}, {});
   Vector<Dim> const velocity = Random(3).vector<Dim>(-2.0, 2.0);
   for (std::size_t i = 0; i < 60; ++i) scene.particles.vector(Field::velocity).set(i, velocity);
   for (Wall<Dim>& wall : scene.walls)
@@ -189,7 +189,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(writes_the_density_rate_and_nothing_else, D, Dimen
   BOOST_TEST(
       (needed_fields(continuity->info()) == FieldSet{Field::density, Field::velocity, Field::density_rate}));
 
-  Scene<Dim> scene = random_scene<Dim>(13, 60);
+  RandomScene<Dim> scene = random_scene<Dim>(13, 60);
   scene.particles.allocate(Field::density_rate);
   scene.particles.scalar(Field::heating).assign(60, 5.0);
   scene.particles.vector(Field::acceleration).component(0).assign(60, 6.0);
@@ -199,7 +199,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(writes_the_density_rate_and_nothing_else, D, Dimen
   for (int n = 0; n < 2; ++n) {
     continuity->evaluate(scene.particles, geometry, Closure::interpolated, 0.0, 1, work);
     BOOST_TEST(relative_difference(scene.particles.scalar(Field::density_rate), [&] {
-                 Scene<Dim> at_start = scene;
+                 RandomScene<Dim> at_start = scene;
                  at_start.time = 0.0;
                  return equation(dense::State<Dim>(at_start), true);
                }()) < dense::round_off);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(is_none_of_the_compared_formulations) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(14, 3000);
+  RandomScene<Dim> const scene = random_scene<Dim>(14, 3000);
   BOOST_TEST(same_bits(density_rate(scene, true, 1), density_rate(scene, true, 2)));
 }
 

@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 }
 
 BOOST_AUTO_TEST_CASE(neighbour_of_a_particle_without_pressure_does_not_feel_it) {
-  Scene<2> scene = random_scene<2>(1, 40);
+  RandomScene<2> scene = random_scene<2>(1, 40);
   auto const with = evaluate(scene, id);
   scene.particles.scalar(Field::pressure)[7] *= 3.0;
   auto const changed = evaluate(scene, id, true);

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 // The residual of a uniform gas at a wall, as a fraction of P/(rho dx): 6% at h/dx = 1.2 in 1D.
 BOOST_AUTO_TEST_CASE(uniform_gas_is_not_at_rest_at_a_wall_but_tends_to_rest_as_h_over_dx_grows) {
   auto const residual = [](double smoothing_ratio) {
-    Scene<1> scene = lattice_scene<1>(200, 0.01, smoothing_ratio);
+    RandomScene<1> scene = lattice_scene<1>(200, 0.01, smoothing_ratio);
     scene.particles.scalar(Field::pressure).assign(200, 1.0);
     scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});
     scene.walls[0].pressure = [](Vector<1> const&, double) { return 1.0; };

@@ -32,7 +32,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 }
 
 BOOST_AUTO_TEST_CASE(vacuum_feels_no_force) {
-  Scene<2> scene = random_scene<2>(1, 40);
+  RandomScene<2> scene = random_scene<2>(1, 40);
   scene.particles.scalar(Field::pressure)[7] = 0.0;
   BOOST_TEST(evaluate(scene, id).acceleration[7].norm() == 0.0);
 }

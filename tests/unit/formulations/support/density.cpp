@@ -11,10 +11,10 @@ using namespace sphverify::tests;
 
 /// A lattice on [0, depth] along x between walls at both ends, periodic along the other axes.
 template <int Dim>
-Scene<Dim> slab(int depth, int width, double smoothing_ratio) {
+RandomScene<Dim> slab(int depth, int width, double smoothing_ratio) {
   std::size_t count = static_cast<std::size_t>(depth);
   for (int k = 1; k < Dim; ++k) count *= static_cast<std::size_t>(width);
-  Scene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio),
                    .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Constant(width)}};
   scene.domain.upper[0] = depth;
   scene.domain.periodic.fill(true);
@@ -39,7 +39,7 @@ Scene<Dim> slab(int depth, int width, double smoothing_ratio) {
 }
 
 template <int Dim>
-std::vector<double> summation(Scene<Dim> const& scene) {
+std::vector<double> summation(RandomScene<Dim> const& scene) {
   double const h = scene.particles.smoothing_length();
   CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
   return summation_density(grid, h, scene.particles.masses());
@@ -48,7 +48,7 @@ std::vector<double> summation(Scene<Dim> const& scene) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(summation_is_a_dense_sum_with_the_particle_itself, D, Dimensions) {
   constexpr int Dim = D::value;
   for (std::size_t const count : {1u, 2u, 60u}) {
-    Scene<Dim> const scene = random_scene<Dim>(count, count);
+    RandomScene<Dim> const scene = random_scene<Dim>(count, count);
     dense::State<Dim> const s(scene);
     std::vector<double> expected(count, 0.0);
     for (std::size_t i = 0; i < count; ++i) {
@@ -78,7 +78,7 @@ BOOST_AUTO_TEST_CASE(summation_falls_to_half_at_a_wall_as_the_kernel_is_resolved
 
 template <int Dim>
 struct Resolved {
-  static Scene<Dim> slab_of() {
+  static RandomScene<Dim> slab_of() {
     if constexpr (Dim == 1)
       return slab<1>(100, 1, 8.0);
     else if constexpr (Dim == 2)
@@ -90,7 +90,7 @@ struct Resolved {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(normalised_summation_restores_a_uniform_density_up_to_the_wall, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = Resolved<Dim>::slab_of();
+  RandomScene<Dim> const scene = Resolved<Dim>::slab_of();
   std::vector<double> density = summation(scene);
   BOOST_TEST(density[0] < 0.7);
   for (std::size_t i = 0; i < density.size(); ++i) {
@@ -130,7 +130,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_knows_corners, D, Dimensions) {
 
 /// What Eq. 74 makes of the constant one at a wall of a lattice with summation density.
 template <int Dim>
-double interpolated_constant(Scene<Dim> scene) {
+double interpolated_constant(RandomScene<Dim> scene) {
   scene.particles.scalar(Field::density) = summation(scene);
   scene.particles.scalar(Field::pressure).assign(scene.particles.size(), 1.0);
   PairGeometry<Dim> geometry = geometry_of(scene);

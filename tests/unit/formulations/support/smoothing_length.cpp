@@ -16,8 +16,8 @@ using boost::test_tools::tolerance;
 /// Random particles whose smoothing lengths vary by a factor of two, independent of all else. In 2D and 3D
 /// with more particles, so that the box holds two of the largest supports along a periodic axis.
 template <int Dim>
-Scene<Dim> varied_scene(std::uint64_t seed, bool periodic = false) {
-  Scene<Dim> scene = random_scene<Dim>(seed, Dim == 1 ? 60 : (Dim == 2 ? 120 : 300));
+RandomScene<Dim> varied_scene(std::uint64_t seed, bool periodic = false) {
+  RandomScene<Dim> scene = random_scene<Dim>(seed, Dim == 1 ? 60 : (Dim == 2 ? 120 : 300));
   if (periodic) {
     scene.domain.periodic.fill(true);
     scene.walls.clear();
@@ -29,7 +29,7 @@ Scene<Dim> varied_scene(std::uint64_t seed, bool periodic = false) {
 }
 
 template <int Dim>
-Particles<Dim> evaluated(Scene<Dim> scene, PairGeometry<Dim> geometry, std::string_view id) {
+Particles<Dim> evaluated(RandomScene<Dim> scene, PairGeometry<Dim> geometry, std::string_view id) {
   auto const scheme = make_rate_operator<Dim>(id);
   WorkCount work;
   scheme->evaluate(scene.particles, geometry, scene.closure, scene.time, 1, work);
@@ -67,7 +67,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(neighbours_are_the_pairs_within_the_support_of_the
   constexpr int Dim = D::value;
   for (bool const periodic : {false, true}) {
     if (periodic && Dim == 3) continue;  // the box is shorter than two supports
-    Scene<Dim> const scene = varied_scene<Dim>(1, periodic);
+    RandomScene<Dim> const scene = varied_scene<Dim>(1, periodic);
     NeighbourList const list = geometry_of(scene).neighbours;
     auto const& x = scene.particles.positions();
     auto const& h = scene.particles.smoothing_lengths();
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_of_a_pair_is_symmetric_and_its_gradient_ant
   constexpr int Dim = D::value;
   for (bool const periodic : {false, true}) {
     if (periodic && Dim == 3) continue;
-    Scene<Dim> const scene = varied_scene<Dim>(2, periodic);
+    RandomScene<Dim> const scene = varied_scene<Dim>(2, periodic);
     PairGeometry<Dim> const geometry = geometry_of(scene);
     auto const& x = scene.particles.positions();
     auto const& h = scene.particles.smoothing_lengths();
@@ -143,7 +143,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(symmetric_forms_conserve_momentum_and_energy_with_
   constexpr int Dim = D::value;
   for (bool const periodic : {false, true}) {
     if (periodic && Dim == 3) continue;
-    Scene<Dim> const scene = varied_scene<Dim>(3, periodic);
+    RandomScene<Dim> const scene = varied_scene<Dim>(3, periodic);
     PairGeometry<Dim> const geometry = geometry_of(scene, false);
     for (std::string_view const id : {"momentum/p-rho2", "momentum/sqrt-p"}) {
       std::string_view const partner = find_scheme(id)->work_partner;
@@ -173,7 +173,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(symmetric_forms_conserve_momentum_and_energy_with_
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(conduction_conserves_energy_with_own_smoothing_lengths, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = varied_scene<Dim>(4);
+  RandomScene<Dim> const scene = varied_scene<Dim>(4);
   PairGeometry<Dim> const geometry = geometry_of(scene, false);
   std::size_t conservative = 0;
   for (SchemeInfo const* scheme : all_scheme_infos()) {
@@ -193,7 +193,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(conduction_conserves_energy_with_own_smoothing_len
 BOOST_AUTO_TEST_CASE_TEMPLATE(foot_point_is_judged_by_the_smoothing_length_of_its_particle, D, Dimensions) {
   constexpr int Dim = D::value;
   for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
-    Scene<Dim> scene = varied_scene<Dim>(5);
+    RandomScene<Dim> scene = varied_scene<Dim>(5);
     scene.face_weight = rule;
     PairGeometry<Dim> const geometry = geometry_of(scene);
     auto const& each = scene.particles.smoothing_lengths();
@@ -202,7 +202,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_point_is_judged_by_the_smoothing_length_of_it
       std::size_t c = 0;
       for (std::size_t i = 0; i < each.size(); ++i) {
         // A uniform scene with the smoothing length of this particle.
-        Scene<Dim> uniform = scene;
+        RandomScene<Dim> uniform = scene;
         uniform.particles = Particles<Dim>(each.size(), each[i]);
         uniform.particles.positions() = scene.particles.positions();
         uniform.particles.masses() = scene.particles.masses();
@@ -235,7 +235,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_point_is_judged_by_the_smoothing_length_of_it
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(sum_for_the_density_takes_the_particles_own_smoothing_length, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = varied_scene<Dim>(6);
+  RandomScene<Dim> const scene = varied_scene<Dim>(6);
   SmoothingLength const h(scene.particles);
   CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h.largest());
   auto const& x = scene.particles.positions();
@@ -252,10 +252,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(sum_for_the_density_takes_the_particles_own_smooth
 BOOST_AUTO_TEST_CASE_TEMPLATE(equal_lengths_give_what_one_length_for_all_gives, D, Dimensions) {
   constexpr int Dim = D::value;
   for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
-    Scene<Dim> scene = random_scene<Dim>(7, 60);
+    RandomScene<Dim> scene = random_scene<Dim>(7, 60);
     scene.face_weight = rule;
     scene.particles.allocate(Field::density_rate);
-    Scene<Dim> own = scene;
+    RandomScene<Dim> own = scene;
     own.particles.vary_smoothing_length();
     PairGeometry<Dim> const uniform = geometry_of(scene);
     PairGeometry<Dim> const equal = geometry_of(own);

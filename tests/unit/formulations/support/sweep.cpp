@@ -25,7 +25,7 @@ BOOST_AUTO_TEST_CASE(every_row_is_called_exactly_once_at_any_number_of_threads) 
 // 5000 rows are five blocks of 1024, so that several threads really share them.
 BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_identical_bit_for_bit_at_any_number_of_threads, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(9, 5000);
+  RandomScene<Dim> const scene = random_scene<Dim>(9, 5000);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     Rates<Dim> const one = evaluate(scene, scheme->id, true, 1);
     for (int const threads : {2, 4}) {
@@ -55,7 +55,7 @@ BOOST_AUTO_TEST_CASE(blocks_are_all_rows_once_and_none_where_there_are_none) {
 }
 
 BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_its_terms) {
-  Scene<1> const scene = random_scene<1>(1, 20);
+  RandomScene<1> const scene = random_scene<1>(1, 20);
   PairGeometry<1> const geometry = geometry_of(scene);
   std::vector<double> out(20, 99.0);
   PairSweep<1> sweep(geometry.neighbours, geometry.domain, 1);

@@ -61,15 +61,15 @@ BOOST_AUTO_TEST_CASE(temperatures_that_are_lost_give_no_number) {
 
 /// Particles at random places beside a wall that radiates; only temperature and conductivity matter.
 template <int Dim>
-Scene<Dim> radiating_scene() {
-  Scene<Dim> scene = random_scene<Dim>(7, Dim == 1 ? 20 : 80, {}, {});
+RandomScene<Dim> radiating_scene() {
+  RandomScene<Dim> scene = random_scene<Dim>(7, Dim == 1 ? 20 : 80, {}, {});
   scene.walls.resize(1);
   scene.walls[0].heat_loss = radiation(1.3, 0.4);
   return scene;
 }
 
 template <int Dim>
-WallContacts<Dim> filled(Scene<Dim> const& scene, BoundaryValueSet wanted, Closure closure) {
+WallContacts<Dim> filled(RandomScene<Dim> const& scene, BoundaryValueSet wanted, Closure closure) {
   WallContacts<Dim> contacts = geometry_of(scene).contacts[0];
   fill_boundary_values(contacts, scene.walls[0], scene.particles, wanted, closure, 0.0);
   return contacts;
@@ -80,7 +80,7 @@ constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_temperature_linear_along_the_normal_shows_the_wall_its_own, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = radiating_scene<Dim>();
+  RandomScene<Dim> scene = radiating_scene<Dim>();
   Wall<Dim> const& wall = scene.walls[0];
   double const K = 0.7;
   double const wall_temperature = 1.6;
@@ -105,8 +105,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_temperature_linear_along_the_normal_shows_the_wa
 BOOST_AUTO_TEST_CASE_TEMPLATE(interpolated_temperature_distance_and_conductivity_enter_as_they_are, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = radiating_scene<Dim>();
-  Scene<Dim> bare = scene;  // the same interpolations where nothing is prescribed
+  RandomScene<Dim> const scene = radiating_scene<Dim>();
+  RandomScene<Dim> bare = scene;  // the same interpolations where nothing is prescribed
   bare.walls[0].heat_loss.reset();
   constexpr BoundaryValueSet both{BoundaryValue::temperature, BoundaryValue::conductivity};
   WallContacts<Dim> const inside = filled(bare, both, Closure::interpolated);
@@ -124,7 +124,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(interpolated_temperature_distance_and_conductivity
 }
 
 BOOST_AUTO_TEST_CASE(a_fluid_that_does_not_conduct_gives_a_losing_wall_nothing) {
-  Scene<1> scene = radiating_scene<1>();
+  RandomScene<1> scene = radiating_scene<1>();
   scene.particles.scalar(Field::conductivity).assign(20, 0.0);
   WallContacts<1> const contacts = filled(scene, temperature_only, Closure::one_sided);
   BOOST_TEST_REQUIRE(contacts.size() > 0u);
@@ -133,7 +133,7 @@ BOOST_AUTO_TEST_CASE(a_fluid_that_does_not_conduct_gives_a_losing_wall_nothing) 
 
 // What the wall takes from a fine lattice is what it loses, as with a prescribed flux.
 BOOST_AUTO_TEST_CASE(brookshaw_gives_the_wall_what_it_loses) {
-  Scene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
+  RandomScene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
   scene.particles.scalar(Field::conductivity).assign(400, 1.0);
   scene.walls.push_back({.point = Vector<1>(-1.0), .outward_normal = Vector<1>(-1.0)});
   scene.walls[0].heat_loss = radiation(0.5, 0.0);

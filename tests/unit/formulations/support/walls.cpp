@@ -15,14 +15,14 @@ using namespace sphverify::tests;
 using boost::test_tools::tolerance;
 
 template <int Dim>
-WallContacts<Dim> contacts_of(Scene<Dim> const& scene, std::size_t wall = 0) {
+WallContacts<Dim> contacts_of(RandomScene<Dim> const& scene, std::size_t wall = 0) {
   return geometry_of(scene).contacts[wall];
 }
 
 /// Both walls of a random scene with no corner: parallel, across the first axis.
 template <int Dim>
-Scene<Dim> random_slab(std::uint64_t seed, std::size_t count) {
-  Scene<Dim> scene = random_scene<Dim>(seed, count, {}, {});
+RandomScene<Dim> random_slab(std::uint64_t seed, std::size_t count) {
+  RandomScene<Dim> scene = random_scene<Dim>(seed, count, {}, {});
   scene.walls[0] = {.point = Vector<Dim>::Constant(-0.01), .outward_normal = -Vector<Dim>::Unit(0)};
   scene.walls[1] = {.point = Vector<Dim>::Constant(1.01), .outward_normal = Vector<Dim>::Unit(0)};
   return scene;
@@ -108,7 +108,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contacts_are_the_particles_within_reach_with_their
   constexpr int Dim = D::value;
   for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
     for (bool const corner : {false, true}) {
-      Scene<Dim> scene = corner ? random_scene<Dim>(4, 60) : random_slab<Dim>(4, 60);
+      RandomScene<Dim> scene = corner ? random_scene<Dim>(4, 60) : random_slab<Dim>(4, 60);
       scene.face_weight = rule;
       dense::State<Dim> const s(scene);
       for (std::size_t w = 0; w < 2; ++w) {
@@ -135,7 +135,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(balanced_weight_leaves_a_uniform_state_without_for
                               Dimensions) {
   constexpr int Dim = D::value;
   for (bool const disorder : {false, true}) {
-    Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 8 : 14, 0.1, 1.2);
+    RandomScene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 8 : 14, 0.1, 1.2);
     if (disorder) {
       Random random(3);
       auto& positions = scene.particles.positions();
@@ -159,7 +159,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(balanced_weight_leaves_a_uniform_state_without_for
 }
 
 BOOST_AUTO_TEST_CASE(balanced_weight_falls_back_to_exact_where_two_walls_are_near) {
-  Scene<2> scene = lattice_scene<2>(14, 0.1, 1.2);
+  RandomScene<2> scene = lattice_scene<2>(14, 0.1, 1.2);
   scene.walls.push_back({.point = scene.domain.upper, .outward_normal = {1.0, 0.0}});
   scene.walls.push_back({.point = scene.domain.upper, .outward_normal = {0.0, 1.0}});
   scene.face_weight = FaceWeight::balanced;
@@ -178,8 +178,8 @@ BOOST_AUTO_TEST_CASE(balanced_weight_falls_back_to_exact_where_two_walls_are_nea
 
 /// A resolved lattice of unit density in the corner of as many right angles as there are dimensions.
 template <int Dim>
-Scene<Dim> lattice_corner(double smoothing_ratio) {
-  Scene<Dim> scene = lattice_scene<Dim>(Dim == 1 ? 60 : (Dim == 2 ? 40 : 16), 0.1, smoothing_ratio);
+RandomScene<Dim> lattice_corner(double smoothing_ratio) {
+  RandomScene<Dim> scene = lattice_scene<Dim>(Dim == 1 ? 60 : (Dim == 2 ? 40 : 16), 0.1, smoothing_ratio);
   for (int k = 0; k < Dim; ++k)
     scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<Dim>::Unit(k)});
   return scene;
@@ -189,7 +189,7 @@ Scene<Dim> lattice_corner(double smoothing_ratio) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(resolved_uniform_state_feels_no_force_in_a_corner, D, Dimensions) {
   constexpr int Dim = D::value;
   double const ratio = Dim == 3 ? 2.5 : 5.0;
-  Scene<Dim> const scene = lattice_corner<Dim>(ratio);
+  RandomScene<Dim> const scene = lattice_corner<Dim>(ratio);
   dense::State<Dim> const s(scene);
   std::uint32_t const i = static_cast<std::uint32_t>(s.particles() - 1);  // in the corner
   Vector<Dim> residual = Vector<Dim>::Zero(), infinite = Vector<Dim>::Zero();
@@ -212,7 +212,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(resolved_uniform_state_feels_no_force_in_a_corner,
 BOOST_AUTO_TEST_CASE_TEMPLATE(resolved_uniform_density_is_interpolated_into_the_corner_as_it_is, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = lattice_corner<Dim>(Dim == 3 ? 2.5 : 5.0);
+  RandomScene<Dim> const scene = lattice_corner<Dim>(Dim == 3 ? 2.5 : 5.0);
   double worst = 0.0;
   for (std::size_t w = 0; w < scene.walls.size(); ++w) {
     WallContacts<Dim> const contacts = contacts_of(scene, w);
@@ -234,7 +234,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_point_beyond_an_obtuse_corner_is_on_the_edge_
                               D, MoreDimensions) {
   constexpr int Dim = D::value;
   // 120 degrees: the plane x_0 = 0, and one that leans away from it at the origin.
-  Scene<Dim> scene{.particles = Particles<Dim>(2, 0.5),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(2, 0.5),
                    .domain = {.lower = Vector<Dim>::Constant(-3.0), .upper = Vector<Dim>::Constant(3.0)}};
   scene.particles.allocate(all_fields);
   Vector<Dim> lean = Vector<Dim>::Zero();
@@ -265,7 +265,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_point_beyond_an_obtuse_corner_is_on_the_edge_
 BOOST_AUTO_TEST_CASE(balanced_weight_can_be_negative_on_disorder) {
   double least = 1.0;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Scene<2> scene = random_slab<2>(seed, 60);
+    RandomScene<2> scene = random_slab<2>(seed, 60);
     scene.face_weight = FaceWeight::balanced;
     for (double const A : contacts_of(scene).face_weight) least = std::min(least, A);
   }
@@ -275,7 +275,7 @@ BOOST_AUTO_TEST_CASE(balanced_weight_can_be_negative_on_disorder) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(particle_on_or_outside_a_wall_is_refused_by_name, D, Dimensions) {
   constexpr int Dim = D::value;
   for (double const outside : {0.0, 0.3}) {
-    Scene<Dim> scene = random_slab<Dim>(1, 20);
+    RandomScene<Dim> scene = random_slab<Dim>(1, 20);
     Vector<Dim> x = scene.particles.positions()[13];
     x[0] = 1.01 + outside;
     scene.particles.positions().set(13, x);
@@ -287,7 +287,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(particle_on_or_outside_a_wall_is_refused_by_name, 
 }
 
 BOOST_AUTO_TEST_CASE(particle_exactly_at_reach_is_no_contact) {
-  Scene<1> scene{.particles = Particles<1>(2, 0.25),
+  RandomScene<1> scene{.particles = Particles<1>(2, 0.25),
                  .domain = {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0)}};
   scene.particles.allocate(all_fields);
   scene.particles.positions().component(0) = {0.5, 0.25};
@@ -302,7 +302,7 @@ BOOST_AUTO_TEST_CASE(particle_exactly_at_reach_is_no_contact) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(foot_density_of_a_uniform_lattice_is_about_its_density_and_exactly_a_dense_sum,
                               D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 12 : 20, 0.1, 1.3);
+  RandomScene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 12 : 20, 0.1, 1.3);
   scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<Dim>::Unit(0)});
   dense::State<Dim> const s(scene);
   WallContacts<Dim> const contacts = contacts_of(scene);
@@ -320,7 +320,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_density_of_a_uniform_lattice_is_about_its_den
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(values_that_the_wall_does_not_prescribe_are_interpolated, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_slab<Dim>(2, 60);
+  RandomScene<Dim> scene = random_slab<Dim>(2, 60);
   Random random(8);
   for (std::size_t i = 0; i < 60; ++i)
     scene.particles.vector(Field::flux).set(i, random.vector<Dim>(-1.0, 1.0));
@@ -344,7 +344,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_that_the_wall_does_not_prescribe_are_interp
 }
 
 BOOST_AUTO_TEST_CASE(interpolation_of_a_constant_is_twice_the_volume_weighted_kernel_sum) {
-  Scene<1> scene = lattice_scene<1>(40, 0.05, 1.0);
+  RandomScene<1> scene = lattice_scene<1>(40, 0.05, 1.0);
   scene.particles.scalar(Field::pressure).assign(40, 3.0);
   scene.walls.push_back({.point = Vector<1>(1.0), .outward_normal = Vector<1>(1.0)});
   WallContacts<1> contacts = contacts_of(scene);
@@ -358,7 +358,7 @@ BOOST_AUTO_TEST_CASE(interpolation_of_a_constant_is_twice_the_volume_weighted_ke
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(prescribed_values_are_taken_at_the_foot_point_and_at_the_time, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_slab<Dim>(3, 60);
+  RandomScene<Dim> scene = random_slab<Dim>(3, 60);
   Wall<Dim>& wall = scene.walls[1];
   wall.pressure = [](Vector<Dim> const& x, double t) { return 1.0 + x.sum() + 10.0 * t; };
   wall.temperature = [](Vector<Dim> const& x, double t) { return 2.0 + x.sum() - 3.0 * t; };
@@ -386,7 +386,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(prescribed_values_are_taken_at_the_foot_point_and_
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_is_fouriers_law_between_particle_and_foot, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_slab<Dim>(5, 60);
+  RandomScene<Dim> scene = random_slab<Dim>(5, 60);
   Wall<Dim>& hot = scene.walls[0];
   hot.temperature = [](Vector<Dim> const&, double) { return 2.0; };
   hot.conductivity = [](Vector<Dim> const&, double) { return 0.7; };
@@ -414,7 +414,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_is_fouriers_law_between_particle
 }
 
 BOOST_AUTO_TEST_CASE(wall_that_gives_temperature_and_flux_keeps_both_under_either_closure) {
-  Scene<1> scene = random_slab<1>(5, 20);
+  RandomScene<1> scene = random_slab<1>(5, 20);
   Wall<1>& wall = scene.walls[0];
   wall.temperature = [](Vector<1> const&, double) { return 2.0; };
   wall.conductivity = [](Vector<1> const&, double) { return 0.7; };
@@ -428,7 +428,7 @@ BOOST_AUTO_TEST_CASE(wall_that_gives_temperature_and_flux_keeps_both_under_eithe
 }
 
 BOOST_AUTO_TEST_CASE(wall_that_prescribes_nothing_is_interpolated_under_either_closure) {
-  Scene<1> const scene = random_slab<1>(6, 20);
+  RandomScene<1> const scene = random_slab<1>(6, 20);
   constexpr BoundaryValueSet both{BoundaryValue::temperature, BoundaryValue::flux};
   WallContacts<1> one = contacts_of(scene);
   WallContacts<1> other = contacts_of(scene);
@@ -439,7 +439,7 @@ BOOST_AUTO_TEST_CASE(wall_that_prescribes_nothing_is_interpolated_under_either_c
 }
 
 BOOST_AUTO_TEST_CASE(contacts_count_the_memory_they_hold) {
-  Scene<2> const scene = random_slab<2>(6, 60);
+  RandomScene<2> const scene = random_slab<2>(6, 60);
   WallContacts<2> contacts = contacts_of(scene);
   std::size_t const before = contacts.bytes();
   BOOST_TEST(before >= contacts.size() * (5 * sizeof(double) + sizeof(std::uint32_t)));
@@ -454,7 +454,7 @@ constexpr BoundaryValueSet every_value{BoundaryValue::pressure, BoundaryValue::v
 
 /// Gives particles the density sum_j m_j W_ij.
 template <int Dim>
-void set_summation_density(Scene<Dim>& scene) {
+void set_summation_density(RandomScene<Dim>& scene) {
   dense::State<Dim> const s(scene);
   std::vector<double> density(s.particles(), 0.0);
   for (std::size_t i = 0; i < s.particles(); ++i) {
@@ -496,7 +496,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_returns_a_constant_on_any_disorder_and_wi
   constexpr int Dim = D::value;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     for (bool const summation : {false, true}) {
-      Scene<Dim> scene = seed % 2 == 0 ? random_slab<Dim>(seed, 60) : random_scene<Dim>(seed, 60, {}, {});
+      RandomScene<Dim> scene = seed % 2 == 0 ? random_slab<Dim>(seed, 60) : random_scene<Dim>(seed, 60, {}, {});
       if (summation) set_summation_density(scene);
       scene.particles.scalar(Field::pressure).assign(60, 3.0);
       scene.particles.scalar(Field::temperature).assign(60, -7.0);
@@ -518,7 +518,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_returns_a_constant_on_any_disorder_and_wi
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_is_a_dense_quotient_for_every_value, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(12, 60, {}, {});
+  RandomScene<Dim> scene = random_scene<Dim>(12, 60, {}, {});
   Random random(8);
   for (std::size_t i = 0; i < 60; ++i)
     scene.particles.vector(Field::flux).set(i, random.vector<Dim>(-1.0, 1.0));
@@ -543,7 +543,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_is_a_dense_quotient_for_every_value, D, D
 // times a constant at h/dx = 1.2 and 2 ln 2 times it as h/dx grows.
 BOOST_AUTO_TEST_CASE(quotient_mends_what_interpolation_makes_of_a_constant_with_summation_density) {
   auto const at_first_particle = [](double smoothing_ratio, Closure closure) {
-    Scene<1> scene = lattice_scene<1>(400, 0.01, smoothing_ratio);
+    RandomScene<1> scene = lattice_scene<1>(400, 0.01, smoothing_ratio);
     scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<1>(1.0)});
     set_summation_density(scene);
     scene.particles.scalar(Field::pressure).assign(400, 1.0);
@@ -559,7 +559,7 @@ BOOST_AUTO_TEST_CASE(quotient_mends_what_interpolation_makes_of_a_constant_with_
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_leaves_alone_what_the_wall_prescribes, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(3, 60);  // walls prescribe all but flux
+  RandomScene<Dim> const scene = random_scene<Dim>(3, 60);  // walls prescribe all but flux
   WallContacts<Dim> one = contacts_of(scene);
   WallContacts<Dim> other = contacts_of(scene);
   fill_boundary_values(one, scene.walls[0], scene.particles, no_flux, Closure::interpolated, 0.4);
@@ -578,7 +578,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_velocity_meets_the_pressure_o
   bool any_shock = false;
   bool any_fan = false;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    Scene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::velocity}, {BoundaryValue::velocity});
+    RandomScene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::velocity}, {BoundaryValue::velocity});
     dense::State<Dim> const s(scene);
     for (std::size_t w = 0; w < 2; ++w) {
       Wall<Dim>& wall = scene.walls[w];
@@ -610,7 +610,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_pressure_goes_with_its_wave_a
   bool any_shock = false;
   bool any_fan = false;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    Scene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::pressure}, {BoundaryValue::pressure});
+    RandomScene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::pressure}, {BoundaryValue::pressure});
     dense::State<Dim> const s(scene);
     for (std::size_t w = 0; w < 2; ++w) {
       Wall<Dim>& wall = scene.walls[w];
@@ -642,7 +642,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_pressure_goes_with_its_wave_a
 BOOST_AUTO_TEST_CASE(one_sided_piston_into_gas_at_rest_raises_the_pressure_and_pressure_drives_it_inwards) {
   double const gamma = 1.4;
   for (double const side : {-1.0, 1.0}) {
-    Scene<1> scene = lattice_scene<1>(40, 0.05, 1.2);
+    RandomScene<1> scene = lattice_scene<1>(40, 0.05, 1.2);
     scene.particles.scalar(Field::pressure).assign(40, 1.0);
     Wall<1> wall{.point = Vector<1>(side), .outward_normal = Vector<1>(side)};
     wall.gamma = gamma;
@@ -663,9 +663,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_does_not_depend_on_the_frame, D,
   constexpr int Dim = D::value;
   Random random(9);
   Vector<Dim> const boost = random.vector<Dim>(-20.0, 20.0);
-  Scene<Dim> scene = random_scene<Dim>(5, 60, {BoundaryValue::velocity}, {BoundaryValue::pressure});
+  RandomScene<Dim> scene = random_scene<Dim>(5, 60, {BoundaryValue::velocity}, {BoundaryValue::pressure});
   for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
-  Scene<Dim> moving = scene;
+  RandomScene<Dim> moving = scene;
   for (std::size_t i = 0; i < 60; ++i) moving.particles.vector(Field::velocity).add(i, boost);
   moving.walls[0].velocity = [boost, old = scene.walls[0].velocity](
                                  Vector<Dim> const& x, double t) -> Vector<Dim> { return old(x, t) + boost; };
@@ -686,7 +686,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_interpolates_where_no_gas_is_kno
   constexpr int Dim = D::value;
   constexpr BoundaryValueSet both{BoundaryValue::pressure, BoundaryValue::velocity};
   auto const check = [&](BoundaryValueSet prescribed, double gamma, bool expected) {
-    Scene<Dim> scene = random_scene<Dim>(7, 60, prescribed, {});
+    RandomScene<Dim> scene = random_scene<Dim>(7, 60, prescribed, {});
     scene.walls[0].gamma = gamma;
     WallContacts<Dim> one = contacts_of(scene);
     WallContacts<Dim> other = contacts_of(scene);

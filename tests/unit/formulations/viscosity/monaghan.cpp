@@ -16,7 +16,7 @@ constexpr BoundaryValueSet velocity_only{BoundaryValue::velocity};
 constexpr BoundaryValueSet pressure_only{BoundaryValue::pressure};
 
 template <int Dim>
-void randomise_sound_speed(Scene<Dim>& scene, std::uint64_t seed) {
+void randomise_sound_speed(RandomScene<Dim>& scene, std::uint64_t seed) {
   Random random(seed);
   scene.particles.allocate(Field::sound_speed);
   for (double& c : scene.particles.scalar(Field::sound_speed)) c = random.uniform(0.3, 2.0);
@@ -24,15 +24,15 @@ void randomise_sound_speed(Scene<Dim>& scene, std::uint64_t seed) {
 
 /// A random scene with sound speeds, by default with two walls of prescribed velocity.
 template <int Dim>
-Scene<Dim> gas_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet first = velocity_only,
+RandomScene<Dim> gas_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet first = velocity_only,
                      BoundaryValueSet second = velocity_only) {
-  Scene<Dim> scene = random_scene<Dim>(seed, count, first, second);
+  RandomScene<Dim> scene = random_scene<Dim>(seed, count, first, second);
   randomise_sound_speed(scene, seed + 1000);
   return scene;
 }
 
 template <int Dim>
-PairGeometry<Dim> gas_geometry(Scene<Dim> const& scene, bool with_walls = true) {
+PairGeometry<Dim> gas_geometry(RandomScene<Dim> const& scene, bool with_walls = true) {
   PairGeometry<Dim> geometry = geometry_of(scene, with_walls);
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
     fill_boundary_values(geometry.contacts[w], geometry.walls[w], scene.particles, velocity_only,
@@ -42,7 +42,7 @@ PairGeometry<Dim> gas_geometry(Scene<Dim> const& scene, bool with_walls = true) 
 }
 
 template <int Dim>
-void evaluate_viscosity(Scene<Dim> const& scene, PairGeometry<Dim> const& geometry,
+void evaluate_viscosity(RandomScene<Dim> const& scene, PairGeometry<Dim> const& geometry,
                         MonaghanViscosity const& viscosity, int threads, ViscousRates<Dim>& rates) {
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
   add_viscosity(viscosity, scene.particles, sweep, rates);
@@ -51,7 +51,7 @@ void evaluate_viscosity(Scene<Dim> const& scene, PairGeometry<Dim> const& geomet
 }
 
 template <int Dim>
-ViscousRates<Dim> viscous(Scene<Dim> const& scene, bool with_walls = true,
+ViscousRates<Dim> viscous(RandomScene<Dim> const& scene, bool with_walls = true,
                           MonaghanViscosity const& viscosity = both, int threads = 1) {
   ViscousRates<Dim> rates;
   evaluate_viscosity(scene, gas_geometry(scene, with_walls), viscosity, threads, rates);
@@ -84,7 +84,7 @@ inline double Pi(MonaghanViscosity const& viscosity, double mu, double c, double
 /// Monaghan's viscosity and the wall terms written down a second time. What the closures make of v_B is
 /// tested with the walls; here it is taken from the contacts.
 template <int Dim>
-Expected<Dim> equation(Scene<Dim> const& scene, MonaghanViscosity const& viscosity, bool with_walls) {
+Expected<Dim> equation(RandomScene<Dim> const& scene, MonaghanViscosity const& viscosity, bool with_walls) {
   dense::State<Dim> const s(scene);
   PairGeometry<Dim> const geometry = gas_geometry(scene, with_walls);
   auto const v_B = [&](std::size_t i, std::size_t w) -> Vector<Dim> {
@@ -136,7 +136,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
     for (Closure const closure : {Closure::interpolated, Closure::quotient, Closure::one_sided}) {
       bool const with_walls = number != 0;
       // Walls that prescribe pressure, velocity or both.
-      Scene<Dim> scene = gas_scene<Dim>(50 + number, 50, subset(1 + number % 3), subset(1 + number / 3));
+      RandomScene<Dim> scene = gas_scene<Dim>(50 + number, 50, subset(1 + number % 3), subset(1 + number / 3));
       scene.closure = closure;
       for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
       scene.face_weight = number % 3 == 0 ? FaceWeight::campbell : FaceWeight::exact;
@@ -155,8 +155,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 }
 
 /// Two particles at distance r on the x axis, of smoothing length 0.2, that close in at a speed.
-Scene<1> two_particles(double r, double closing_speed) {
-  Scene<1> scene{.particles = Particles<1>(2, 0.2),
+RandomScene<1> two_particles(double r, double closing_speed) {
+  RandomScene<1> scene{.particles = Particles<1>(2, 0.2),
                  .domain = {.lower = Vector<1>(-1.0), .upper = Vector<1>(1.0)}};
   scene.particles.allocate(all_fields);
   scene.particles.allocate(Field::sound_speed);
@@ -183,7 +183,7 @@ BOOST_AUTO_TEST_CASE(two_particles_that_approach_push_each_other_apart_and_both_
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(gas_that_expands_feels_nothing_at_all, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = gas_scene<Dim>(3, 60, {}, {});
+  RandomScene<Dim> scene = gas_scene<Dim>(3, 60, {}, {});
   for (double const expansion : {1.0, 0.0, -1.0}) {
     for (std::size_t i = 0; i < 60; ++i)
       scene.particles.vector(Field::velocity).set(i, expansion * scene.particles.positions()[i]);
@@ -204,7 +204,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gas_that_expands_feels_nothing_at_all, D, Dimensio
 }
 
 BOOST_AUTO_TEST_CASE(particles_that_pass_each_other_at_right_angles_feel_nothing) {
-  Scene<2> scene{.particles = Particles<2>(2, 0.2),
+  RandomScene<2> scene{.particles = Particles<2>(2, 0.2),
                  .domain = {.lower = Vector<2>::Zero(), .upper = Vector<2>::Ones()}};
   scene.particles.allocate(all_fields);
   scene.particles.allocate(Field::sound_speed);
@@ -220,7 +220,7 @@ BOOST_AUTO_TEST_CASE(particles_that_pass_each_other_at_right_angles_feel_nothing
 BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_momentum_and_energy_to_round_off, D, Dimensions) {
   constexpr int Dim = D::value;
   for (bool const periodic : {false, true}) {
-    Scene<Dim> scene = gas_scene<Dim>(4, Dim == 3 ? 200 : 60);
+    RandomScene<Dim> scene = gas_scene<Dim>(4, Dim == 3 ? 200 : 60);
     scene.domain.periodic.fill(periodic);
     ViscousRates<Dim> const rates = viscous(scene, false);
     Vector<Dim> force = Vector<Dim>::Zero();
@@ -240,7 +240,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_momentum_and_energy_to_round_off, D
 }
 
 BOOST_AUTO_TEST_CASE(pairs_conserve_angular_momentum_to_round_off) {
-  Scene<2> const scene = gas_scene<2>(5, 80);
+  RandomScene<2> const scene = gas_scene<2>(5, 80);
   ViscousRates<2> const rates = viscous(scene, false);
   double torque = 0.0, gross = 0.0;
   for (std::size_t i = 0; i < 80; ++i) {
@@ -256,7 +256,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(nothing_grows_colder, D, Dimensions) {
   constexpr int Dim = D::value;
   for (std::uint64_t seed = 0; seed < 8; ++seed) {
     for (Closure const closure : {Closure::interpolated, Closure::quotient, Closure::one_sided}) {
-      Scene<Dim> scene = gas_scene<Dim>(seed, 60, velocity_only, pressure_only);
+      RandomScene<Dim> scene = gas_scene<Dim>(seed, 60, velocity_only, pressure_only);
       scene.closure = closure;
       for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
       for (double const heating : viscous(scene).heating) BOOST_TEST(heating >= 0.0);
@@ -269,10 +269,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(does_not_depend_on_the_frame, D, Dimensions) {
   Vector<Dim> const boost = Random(6).vector<Dim>(-10.0, 10.0);
   for (Closure const closure : {Closure::quotient, Closure::one_sided}) {
     // The second wall's velocity comes from the closure.
-    Scene<Dim> scene = gas_scene<Dim>(6, 60, velocity_only, pressure_only);
+    RandomScene<Dim> scene = gas_scene<Dim>(6, 60, velocity_only, pressure_only);
     scene.closure = closure;
     for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
-    Scene<Dim> moving = scene;
+    RandomScene<Dim> moving = scene;
     for (std::size_t i = 0; i < 60; ++i) moving.particles.vector(Field::velocity).add(i, boost);
     moving.walls[0].velocity = [boost, old = scene.walls[0].velocity](Vector<Dim> const& x,
                                                                       double t) -> Vector<Dim> {
@@ -292,7 +292,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rigid_wall_gives_its_force_times_its_velocity, D, 
   for (bool const moves : {false, true}) {
     for (BoundaryValueSet const first : {velocity_only, velocity_only | pressure_only}) {
       for (Closure const closure : {Closure::interpolated, Closure::one_sided}) {
-        Scene<Dim> scene = gas_scene<Dim>(7, 60, first, velocity_only);
+        RandomScene<Dim> scene = gas_scene<Dim>(7, 60, first, velocity_only);
         scene.closure = closure;
         for (Wall<Dim>& wall : scene.walls) wall.gamma = 1.4;
         Random random(2);
@@ -332,7 +332,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rigid_wall_gives_its_force_times_its_velocity, D, 
 BOOST_AUTO_TEST_CASE_TEMPLATE(wall_keeps_the_gas_half_where_its_pressure_is_the_whole_stress, D, Dimensions) {
   constexpr int Dim = D::value;
   auto const force = [](BoundaryValueSet prescribed, Closure closure) {
-    Scene<Dim> scene = gas_scene<Dim>(8, 60, prescribed, {});
+    RandomScene<Dim> scene = gas_scene<Dim>(8, 60, prescribed, {});
     scene.walls.pop_back();  // it stands elsewhere for each, and would cut the first one's face
     scene.closure = closure;
     scene.walls[0].gamma = 1.4;
@@ -354,7 +354,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_keeps_the_gas_half_where_its_pressure_is_the_
 BOOST_AUTO_TEST_CASE(wall_pushes_back_a_particle_that_closes_in_and_lets_go_one_that_leaves) {
   for (double const side : {-1.0, 1.0}) {
     for (double const closing : {-1.0, 0.0, 1.0}) {
-      Scene<1> scene = two_particles(0.9, 0.0);
+      RandomScene<1> scene = two_particles(0.9, 0.0);
       scene.particles.positions().component(0) = {0.8 * side, -0.1 * side};
       scene.particles.vector(Field::velocity).component(0) = {side * (closing + 0.3), 0.0};
       scene.walls.push_back({.point = Vector<1>(side), .outward_normal = Vector<1>(side)});
@@ -375,8 +375,8 @@ BOOST_AUTO_TEST_CASE(wall_pushes_back_a_particle_that_closes_in_and_lets_go_one_
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(alpha_is_linear_and_beta_quadratic_in_the_velocities, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = gas_scene<Dim>(9, 60, {}, {});
-  Scene<Dim> faster = scene;
+  RandomScene<Dim> const scene = gas_scene<Dim>(9, 60, {}, {});
+  RandomScene<Dim> faster = scene;
   for (int k = 0; k < Dim; ++k) {
     for (double& v : faster.particles.vector(Field::velocity).component(k)) v *= 2.0;
   }
@@ -407,7 +407,7 @@ BOOST_AUTO_TEST_CASE(is_on_where_either_weight_is_and_does_nothing_where_none_is
 }
 
 BOOST_AUTO_TEST_CASE(periodic_boundary_is_crossed_the_short_way) {
-  Scene<1> scene = two_particles(0.2, 1.5);
+  RandomScene<1> scene = two_particles(0.2, 1.5);
   ViscousRates<1> const inside = viscous(scene);
   scene.domain.periodic = {true};
   scene.particles.positions().component(0) = {0.9, -0.9};
@@ -418,7 +418,7 @@ BOOST_AUTO_TEST_CASE(periodic_boundary_is_crossed_the_short_way) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_enter_as_their_mean_and_conserve_as_well, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = gas_scene<Dim>(11, 60);
+  RandomScene<Dim> scene = gas_scene<Dim>(11, 60);
   scene.particles.vary_smoothing_length();
   Random random(5);
   for (double& h : scene.particles.smoothing_lengths()) h *= random.uniform(0.6, 1.6);
@@ -450,7 +450,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_enter_as_their_mean_and_cons
 }
 
 BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result_whatever_stood_there_before) {
-  Scene<2> const scene = gas_scene<2>(12, 60);
+  RandomScene<2> const scene = gas_scene<2>(12, 60);
   ViscousRates<2> const fresh = viscous(scene);
   ViscousRates<2> rates = viscous(gas_scene<2>(13, 40));
   for (int n = 0; n < 2; ++n) {
@@ -463,7 +463,7 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result_whatever_stood_there
 }
 
 BOOST_AUTO_TEST_CASE(threads_do_not_change_a_bit) {
-  Scene<2> const scene = gas_scene<2>(14, 3000);
+  RandomScene<2> const scene = gas_scene<2>(14, 3000);
   ViscousRates<2> const one = viscous(scene);
   ViscousRates<2> const two = viscous(scene, true, both, 2);
   BOOST_TEST(same_bits(one.heating, two.heating));

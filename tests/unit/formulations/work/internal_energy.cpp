@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 }
 
 BOOST_AUTO_TEST_CASE(a_piston_that_advances_heats_the_gas_beside_it) {
-  Scene<1> scene = lattice_scene<1>(20, 0.1, 1.2);
+  RandomScene<1> scene = lattice_scene<1>(20, 0.1, 1.2);
   scene.particles.scalar(Field::pressure).assign(20, 1.0);
   scene.walls.push_back({.point = Vector<1>(1.0), .outward_normal = Vector<1>(1.0)});
   scene.walls[0].velocity = [](Vector<1> const&, double) { return Vector<1>(-0.3); };

@@ -35,7 +35,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 // pair, half of it to each side.
 BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_share_equally_what_their_kinetic_energy_loses, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> scene = random_scene<Dim>(5, 2);
+  RandomScene<Dim> scene = random_scene<Dim>(5, 2);
   auto const a = evaluate(scene, "momentum/sqrt-p", false).acceleration;
   auto const heating = evaluate(scene, id, false).heating;
   auto const& velocity = scene.particles.vector(Field::velocity);
@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(two_particles_share_equally_what_their_kinetic_ene
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(power_of_a_wall_with_its_momentum_form_is_as_its_header_says, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = random_scene<Dim>(6, 30);
+  RandomScene<Dim> const scene = random_scene<Dim>(6, 30);
   auto const with = evaluate(scene, "momentum/sqrt-p").acceleration;
   auto const without = evaluate(scene, "momentum/sqrt-p", false).acceleration;
   auto const power = evaluate(scene, id).wall_power;
@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(power_of_a_wall_with_its_momentum_form_is_as_its_h
 // -P_B v_B.n per area, Eq. 40, where the gas beside the wall moves with it and many particles resolve the
 // kernel.
 BOOST_AUTO_TEST_CASE(power_of_a_wall_on_a_fine_lattice_is_pressure_times_velocity) {
-  Scene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
+  RandomScene<1> scene = lattice_scene<1>(400, 0.005, 20.0);
   scene.particles.scalar(Field::pressure).assign(400, 2.0);
   scene.particles.vector(Field::velocity).component(0).assign(400, -0.3);
   scene.walls.push_back({.point = Vector<1>(1.0), .outward_normal = Vector<1>(1.0)});

@@ -33,7 +33,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(agrees_with_a_dense_sum_of_its_equation, D, Dimens
 }
 
 BOOST_AUTO_TEST_CASE(fluid_and_wall_at_rest_do_no_work) {
-  Scene<2> scene = random_scene<2>(1, 40);
+  RandomScene<2> scene = random_scene<2>(1, 40);
   scene.particles.vector(Field::velocity) = VectorField<2>(40);
   for (Wall<2>& wall : scene.walls) {
     wall.velocity = [](Vector<2> const&, double) -> Vector<2> { return Vector<2>::Zero(); };

@@ -44,4 +44,28 @@ BOOST_AUTO_TEST_CASE(known_numbers_are_steps) {
   BOOST_TEST(NormalMixture().is_empty());
 }
 
+/// Many components in two heaps far apart, every seventh of them a step.
+NormalMixture two_heaps(double weight_of_steps) {
+  NormalMixture m;
+  for (int k = 0; k < 3000; ++k) {
+    double const at = k % 2 == 0 ? 1.0 + 1e-4 * k : 40.0 - 3e-3 * k;
+    bool const is_step = k % 7 == 0;
+    m.add(is_step ? weight_of_steps : 1.0 + 0.1 * (k % 5), at, is_step ? 0.0 : 0.05 + 1e-3 * (k % 11));
+  }
+  return m;
+}
+
+BOOST_AUTO_TEST_CASE(quantiles_of_many_components_are_where_the_probability_says) {
+  for (double const steps : {0.0, 1.0, 50.0}) {
+    NormalMixture const m = two_heaps(steps);
+    for (double const p : {1e-4, 0.01, 0.025, 0.3, 0.499, 0.5, 0.501, 0.9, 0.99, 1.0 - 1e-4}) {
+      double const q = m.quantile(p);
+      BOOST_TEST_CONTEXT("weight of steps " << steps << ", p " << p << ", quantile " << q) {
+        BOOST_TEST(m.probability_below(q - 2e-7) <= p);
+        BOOST_TEST(m.probability_below(q + 2e-7) >= p);
+      }
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

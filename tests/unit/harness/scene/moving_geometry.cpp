@@ -20,7 +20,7 @@ struct Gas {
   static constexpr double spacing = 1.0 / side;
   static constexpr double movement = 0.03;  ///< of one evaluation, in smoothing lengths: worth a skin
 
-  tests::Scene<Dim> scene;
+  tests::RandomScene<Dim> scene;
   typename MovingGeometry<Dim>::Choice choice;
   MovingGeometry<Dim> geometry;
 
@@ -315,7 +315,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_that_follow_a_sum_solve_thei
 
 /// Density by a double loop, with a particle's own smoothing length.
 template <int Dim>
-std::vector<double> gathered_density(tests::Scene<Dim> const& scene) {
+std::vector<double> gathered_density(tests::RandomScene<Dim> const& scene) {
   auto const& x = scene.particles.positions();
   SmoothingLength const h(scene.particles);
   std::vector<double> density(x.size(), 0.0);

@@ -53,11 +53,11 @@ std::vector<std::size_t> const row_lengths{0, 1, 3, 4, 5, 8, 23, part_size, part
 /// Clusters out of reach of each other. Within one all are neighbours, so that a row is as long as its
 /// cluster less one. Particles of a cluster do not follow each other.
 template <int Dim>
-Scene<Dim> clusters(std::uint64_t seed) {
+RandomScene<Dim> clusters(std::uint64_t seed) {
   std::size_t const count = std::accumulate(row_lengths.begin(), row_lengths.end(), row_lengths.size());
   Random random(seed);
   double const h = 0.1;
-  Scene<Dim> scene{.particles = Particles<Dim>(count, h),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
                    .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
   std::vector<Vector<Dim>> places;
   for (std::size_t c = 0; c < row_lengths.size(); ++c) {
@@ -80,10 +80,10 @@ enum class Box { open, along_axes, turned };
 /// Particles at random places of a unit box, all axes but perhaps the last periodic, in a box that may be
 /// turned.
 template <int Dim>
-Scene<Dim> in_box(std::uint64_t seed, std::size_t count, Box box, bool last_is_periodic = true) {
+RandomScene<Dim> in_box(std::uint64_t seed, std::size_t count, Box box, bool last_is_periodic = true) {
   Random random(seed);
   double const h = Dim == 1 ? 1.3 / static_cast<double>(count) : (Dim == 2 ? 0.14 : 0.2);
-  Scene<Dim> scene{.particles = Particles<Dim>(count, h),
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
                    .domain = {.lower = Vector<Dim>::Constant(-0.3), .upper = Vector<Dim>::Constant(0.7)}};
   if (box != Box::open) scene.domain.periodic.fill(true);
   scene.domain.periodic[Dim - 1] = scene.domain.periodic[Dim - 1] && last_is_periodic;
@@ -151,7 +151,7 @@ Sums room_for(std::vector<Term> const& terms, std::size_t count) {
 
 /// In as many sweeps as it takes: one holds most_terms.
 template <int Dim>
-Sums swept(Scene<Dim> const& scene, NeighbourList const& list, std::vector<Term> const& terms,
+Sums swept(RandomScene<Dim> const& scene, NeighbourList const& list, std::vector<Term> const& terms,
            int threads = 1, VectorField<Dim> const* state_velocity = nullptr) {
   Sums sums = room_for(terms, scene.particles.size());
   for (std::size_t first = 0; first < terms.size(); first += most_terms) {
@@ -176,7 +176,7 @@ std::vector<double> flat(std::vector<std::vector<double>> const& components) {
 template <int Dim>
 class DenseSums {
  public:
-  explicit DenseSums(Scene<Dim> const& scene, VectorField<Dim> const* state_velocity = nullptr)
+  explicit DenseSums(RandomScene<Dim> const& scene, VectorField<Dim> const* state_velocity = nullptr)
       : s_(scene), domain_(scene.domain), h_(scene.particles) {
     if (state_velocity) {
       u_ = *state_velocity;
@@ -276,7 +276,7 @@ class DenseSums {
 
   /// Reads the particles; the scene outlives it.
   struct Reader : dense::State<Dim> {
-    explicit Reader(Scene<Dim> const& scene) : dense::State<Dim>(scene), particles_(&scene.particles) {}
+    explicit Reader(RandomScene<Dim> const& scene) : dense::State<Dim>(scene), particles_(&scene.particles) {}
     Vector<Dim> F(std::size_t i) const { return particles_->vector(Field::flux)[i]; }
     double c(std::size_t i) const { return particles_->scalar(Field::sound_speed)[i]; }
     Particles<Dim> const* particles_;
@@ -290,7 +290,7 @@ class DenseSums {
 
 /// Largest deviation of any term from the dense sums, relative to the term's largest.
 template <int Dim>
-void check_against_dense_sums(Scene<Dim> const& scene, NeighbourList const& list,
+void check_against_dense_sums(RandomScene<Dim> const& scene, NeighbourList const& list,
                               VectorField<Dim> const* state_velocity = nullptr) {
   std::vector<Term> const terms = all_terms<Dim>();
   Sums const found = swept(scene, list, terms, 1, state_velocity);
@@ -301,14 +301,14 @@ void check_against_dense_sums(Scene<Dim> const& scene, NeighbourList const& list
 }
 
 template <int Dim>
-NeighbourList list_of(Scene<Dim> const& scene) {
+NeighbourList list_of(RandomScene<Dim> const& scene) {
   return geometry_of(scene, false).neighbours;
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(every_term_is_its_dense_sum_over_rows_of_every_length, D, Dimensions) {
   constexpr int Dim = D::value;
   for (bool const own_lengths : {false, true}) {
-    Scene<Dim> scene = clusters<Dim>(1);
+    RandomScene<Dim> scene = clusters<Dim>(1);
     Random random(2);
     if (own_lengths) vary_lengths(scene.particles, random);
     NeighbourList const list = list_of(scene);
@@ -327,7 +327,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_term_is_its_dense_sum_in_open_and_periodic_a
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
     for (bool const last_is_periodic : {true, false}) {
       for (bool const own_lengths : {false, true}) {
-        Scene<Dim> scene = in_box<Dim>(3, 150, box, last_is_periodic);
+        RandomScene<Dim> scene = in_box<Dim>(3, 150, box, last_is_periodic);
         Random random(4);
         if (own_lengths) vary_lengths(scene.particles, random);
         BOOST_TEST_CONTEXT("box " << static_cast<int>(box) << ", last axis periodic " << last_is_periodic
@@ -340,7 +340,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(every_term_is_its_dense_sum_in_open_and_periodic_a
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(a_particle_alone_has_nothing_to_sum, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = in_box<Dim>(5, 1, Box::open);
+  RandomScene<Dim> const scene = in_box<Dim>(5, 1, Box::open);
   for (auto const& sums : swept(scene, list_of(scene), all_terms<Dim>())) {
     for (auto const& component : sums) BOOST_TEST((component == std::vector<double>{0.0}));
   }
@@ -350,7 +350,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_points_from_neighbour_to_particle_and_fal
                               Dimensions) {
   constexpr int Dim = D::value;
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
-    Scene<Dim> const scene = in_box<Dim>(6, 120, box);
+    RandomScene<Dim> const scene = in_box<Dim>(6, 120, box);
     PairGeometry<Dim> const geometry = geometry_of(scene, false);
     GatheredPairs<Dim> const pairs = gathered_pairs(scene.particles, geometry);
     DenseSums<Dim> const dense_sums(scene);
@@ -376,7 +376,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_points_from_neighbour_to_particle_and_fal
 BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_is_exactly_antisymmetric, D, Dimensions) {
   constexpr int Dim = D::value;
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
-    Scene<Dim> const scene = in_box<Dim>(7, 120, box);
+    RandomScene<Dim> const scene = in_box<Dim>(7, 120, box);
     PairGeometry<Dim> const geometry = geometry_of(scene, false);
     NeighbourList const& list = geometry.neighbours;
     GatheredPairs<Dim> const pairs = gathered_pairs(scene.particles, geometry);
@@ -398,7 +398,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_is_exactly_antisymmetric, D, Dimensions) 
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(lanes_that_fill_up_a_row_add_nothing, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = clusters<Dim>(8);
+  RandomScene<Dim> const scene = clusters<Dim>(8);
   PairGeometry<Dim> const geometry = geometry_of(scene, false);
   GatheredPairs<Dim> const pairs = gathered_pairs(scene.particles, geometry);
   BOOST_TEST(pairs.idle_lanes_add_nothing);
@@ -406,7 +406,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(lanes_that_fill_up_a_row_add_nothing, D, Dimension
 }
 
 BOOST_AUTO_TEST_CASE(separation_crosses_a_periodic_boundary_the_short_way) {
-  Scene<1> scene{.particles = Particles<1>(2, 0.1),
+  RandomScene<1> scene{.particles = Particles<1>(2, 0.1),
                  .domain = {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0), .periodic = {true}}};
   scene.particles.positions().component(0) = {0.05, 0.95};
   scene.particles.allocate(all_fields);
@@ -423,7 +423,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(terms_of_one_sweep_give_what_each_gives_alone, D, 
   constexpr int Dim = D::value;
   for (bool const own_lengths : {false, true}) {
     for (bool const turned : {false, true}) {
-      Scene<Dim> scene = turned ? in_box<Dim>(9, 150, Box::turned) : clusters<Dim>(9);
+      RandomScene<Dim> scene = turned ? in_box<Dim>(9, 150, Box::turned) : clusters<Dim>(9);
       Random random(10);
       if (own_lengths) vary_lengths(scene.particles, random);
       NeighbourList const list = list_of(scene);
@@ -459,9 +459,9 @@ std::vector<Term> terms_of(FusedSweep const& fused, std::vector<Term> const& all
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(companies_that_have_a_loop_of_their_own_are_dense_sums_too, D, Dimensions) {
   constexpr int Dim = D::value;
-  std::vector<Scene<Dim>> scenes{clusters<Dim>(26), in_box<Dim>(26, 150, Box::along_axes)};
+  std::vector<RandomScene<Dim>> scenes{clusters<Dim>(26), in_box<Dim>(26, 150, Box::along_axes)};
   std::size_t companies = 0;
-  for (Scene<Dim> const& scene : scenes) {
+  for (RandomScene<Dim> const& scene : scenes) {
     NeighbourList const list = list_of(scene);
     DenseSums<Dim> const dense_sums(scene);
     std::vector<Term> const all = all_terms<Dim>();
@@ -490,7 +490,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_beyond_the_support_add_nothing, D, Dimension
   std::vector<Term> const terms = all_terms<Dim>();
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
     for (bool const own_lengths : {false, true}) {
-      Scene<Dim> scene = in_box<Dim>(11, 150, box);
+      RandomScene<Dim> scene = in_box<Dim>(11, 150, box);
       Random random(12);
       if (own_lengths) vary_lengths(scene.particles, random);
       SmoothingLength const h(scene.particles);
@@ -514,7 +514,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_beyond_the_support_add_nothing, D, Dimension
 BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
   constexpr int Dim = D::value;
   // Five blocks of 1024, so that several threads really share them.
-  Scene<Dim> scene = random_scene<Dim>(13, 5000);
+  RandomScene<Dim> scene = random_scene<Dim>(13, 5000);
   Random random(14);
   fill_fields(scene.particles, random);
   PairGeometry<Dim> const geometry = geometry_of(scene, false);
@@ -541,7 +541,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(density_over_a_list_is_a_dense_sum_with_the_particle_itself, D, Dimensions) {
   constexpr int Dim = D::value;
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
-    Scene<Dim> scene = in_box<Dim>(15, 150, box);
+    RandomScene<Dim> scene = in_box<Dim>(15, 150, box);
     NeighbourList const list = list_of(scene);
     DenseSums<Dim> const dense_sums(scene);
     std::vector<double> expected(150, 0.0);
@@ -563,7 +563,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(density_over_a_list_is_a_dense_sum_with_the_partic
 BOOST_AUTO_TEST_CASE_TEMPLATE(terms_that_read_the_state_s_velocity_take_it_and_the_others_do_not, D,
                               Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = in_box<Dim>(16, 150, Box::along_axes);
+  RandomScene<Dim> const scene = in_box<Dim>(16, 150, Box::along_axes);
   NeighbourList const list = list_of(scene);
   Random random(17);
   VectorField<Dim> state(150);
@@ -580,7 +580,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(terms_that_read_the_state_s_velocity_take_it_and_t
 
 /// A scheme's heating by evaluations that are frozen after the first, at two temperatures.
 template <int Dim>
-std::vector<double> heating_twice(Scene<Dim> scene, std::string_view id, bool frozen, int threads) {
+std::vector<double> heating_twice(RandomScene<Dim> scene, std::string_view id, bool frozen, int threads) {
   auto const scheme = make_rate_operator<Dim>(id);
   PairGeometry<Dim> geometry = geometry_of(scene);
   if (frozen) scheme->freeze(scene.particles, geometry, threads);
@@ -602,7 +602,7 @@ std::vector<double> heating_twice(Scene<Dim> scene, std::string_view id, bool fr
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(frozen_conductances_give_the_rates_that_positions_give, D, Dimensions) {
   constexpr int Dim = D::value;
-  std::vector<Scene<Dim>> scenes;
+  std::vector<RandomScene<Dim>> scenes;
   scenes.push_back(random_scene<Dim>(18, 60));  // with walls
   scenes.push_back(clusters<Dim>(18));
   scenes.push_back(in_box<Dim>(18, 150, Box::along_axes));
@@ -611,7 +611,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(frozen_conductances_give_the_rates_that_positions_
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     if (scheme->rate != Rate::conduction_heating) continue;
     linear += scheme->difference_form ? 1 : 0;
-    for (Scene<Dim> const& scene : scenes) {
+    for (RandomScene<Dim> const& scene : scenes) {
       std::vector<double> const expected = heating_twice(scene, scheme->id, false, 1);
       std::vector<double> const found = heating_twice(scene, scheme->id, true, 1);
       BOOST_TEST(relative_difference(found, expected) < 1e-13, scheme->id);
@@ -639,7 +639,7 @@ class Aligned {
 template <int Dim>
 class HandmadeSweep {
  public:
-  HandmadeSweep(Scene<Dim> const& scene, NeighbourList const& list, FieldSet reads)
+  HandmadeSweep(RandomScene<Dim> const& scene, NeighbourList const& list, FieldSet reads)
       : slots_(record_slots(reads, Dim, !scene.particles.smoothing_lengths().empty(), false)),
         stride_(slots_.stride()),
         n_(scene.particles.size()),
@@ -731,7 +731,7 @@ bool has_avx2() { return false; }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(baseline_is_its_dense_sum_too, D, Dimensions) {
   constexpr int Dim = D::value;
-  Scene<Dim> const scene = in_box<Dim>(21, 150, Box::turned);
+  RandomScene<Dim> const scene = in_box<Dim>(21, 150, Box::turned);
   NeighbourList const list = list_of(scene);
   std::vector<Term> const terms = all_terms<Dim>();
   SweepKernels const& baseline = baseline_kernels[Dim - 1];
@@ -754,12 +754,12 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions
   constexpr int Dim = D::value;
   SweepKernels const& baseline = baseline_kernels[Dim - 1];
   SweepKernels const& avx2 = avx2_kernels[Dim - 1];
-  std::vector<Scene<Dim>> scenes{clusters<Dim>(22)};
+  std::vector<RandomScene<Dim>> scenes{clusters<Dim>(22)};
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) scenes.push_back(in_box<Dim>(22, 150, box));
   scenes.push_back(scenes.back());
   Random random(23);
   vary_lengths(scenes.back().particles, random);
-  for (Scene<Dim> const& scene : scenes) {
+  for (RandomScene<Dim> const& scene : scenes) {
     NeighbourList const list = list_of(scene);
     std::vector<Term> const terms = all_terms<Dim>(baseline);
     std::vector<Term> const same_terms = all_terms<Dim>(avx2);

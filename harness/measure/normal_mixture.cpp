@@ -77,25 +77,45 @@ std::optional<double> NormalMixture::polished(double p, double near, double tole
   return std::nullopt;
 }
 
-double NormalMixture::quantile(double p) const {
-  expects(!is_empty());
-  double low = std::numeric_limits<double>::infinity();
-  double high = -low;
+double NormalMixture::Range::tolerance() const {
+  return 1e-7 + 1e-12 * std::max(std::abs(low), std::abs(high));
+}
+
+NormalMixture::Range NormalMixture::range() const {
+  double const infinity = std::numeric_limits<double>::infinity();
+  Range range{infinity, -infinity};
   for (Component const& c : components_) {
-    low = std::min(low, c.mean - reach * c.deviation);
-    high = std::max(high, c.mean + reach * c.deviation);
+    range.low = std::min(range.low, c.mean - reach * c.deviation);
+    range.high = std::max(range.high, c.mean + reach * c.deviation);
   }
-  double const tolerance = 1e-7 + 1e-12 * std::max(std::abs(low), std::abs(high));
-  if (high - low <= tolerance) return 0.5 * (low + high);
-  // It is the sum over all components that costs: few of them say where to begin.
-  if (components_.size() > 4 * few_components) {
-    if (auto const found = polished(p, condensed().quantile(p), tolerance)) return *found;
-  }
+  return range;
+}
+
+double NormalMixture::bracketed(double p) const {
+  Range const within = range();
+  double const tolerance = within.tolerance();
   std::uintmax_t most = 60;
   auto const [from, to] = boost::math::tools::toms748_solve(
-      [&](double x) { return probability_below(x) - p; }, low - tolerance, high + tolerance,
+      [&](double x) { return probability_below(x) - p; }, within.low - tolerance, within.high + tolerance,
       [tolerance](double a, double b) { return b - a <= tolerance; }, most);
   return 0.5 * (from + to);
+}
+
+std::vector<double> NormalMixture::quantiles(std::vector<double> const& p) const {
+  expects(!is_empty());
+  Range const within = range();
+  if (within.high - within.low <= within.tolerance())
+    return std::vector<double>(p.size(), 0.5 * (within.low + within.high));
+  // It is the sum over all components that costs: few of them say where to begin.
+  std::optional<NormalMixture> few;
+  if (components_.size() > 4 * few_components) few = condensed();
+  std::vector<double> found;
+  for (double const each : p) {
+    std::optional<double> at;
+    if (few) at = polished(each, few->bracketed(each), within.tolerance());
+    found.push_back(at ? *at : bracketed(each));
+  }
+  return found;
 }
 
 }  // namespace sphverify

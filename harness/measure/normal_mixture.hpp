@@ -19,7 +19,8 @@ class NormalMixture {
   /// Probability of numbers up to x.
   double probability_below(double x) const;
   /// Where the probability below is p, between 0 and 1. Expects a mixture that is not empty.
-  double quantile(double p) const;
+  double quantile(double p) const { return quantiles({p}).front(); }
+  std::vector<double> quantiles(std::vector<double> const& p) const;
 
  private:
   struct Component {
@@ -27,6 +28,13 @@ class NormalMixture {
   };
   /// The same in few components, which part by little from it.
   NormalMixture condensed() const;
+  struct Range {
+    double low, high;
+    double tolerance() const;  ///< of a quantile
+  };
+  /// What holds all of it but next to nothing.
+  Range range() const;
+  double bracketed(double p) const;
   /// Newton's method from near a quantile; empty where it leads nowhere, as on steps.
   std::optional<double> polished(double p, double near, double tolerance) const;
 

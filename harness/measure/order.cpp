@@ -120,8 +120,10 @@ struct Knowledge {
 
 struct Interval {
   double low, middle, high;
-  explicit Interval(NormalMixture const& m, double part = confidence)
-      : low(m.quantile(0.5 * (1.0 - part))), middle(m.quantile(0.5)), high(m.quantile(0.5 * (1.0 + part))) {}
+  explicit Interval(NormalMixture const& m, double part = confidence) {
+    auto const at = m.quantiles({0.5 * (1.0 - part), 0.5, 0.5 * (1.0 + part)});
+    low = at[0], middle = at[1], high = at[2];
+  }
   double half_width() const { return 0.5 * (high - low); }
 };
 
@@ -142,9 +144,9 @@ Interval order_interval(std::vector<LawEvidence> const& laws, Knowledge const& k
   Interval interval(known.order);
   for (LawEvidence const& law : laws) {
     if (law.probability < not_refused) continue;
-    Interval const alone(law.order, 0.95);
-    interval.low = std::min(interval.low, alone.low);
-    interval.high = std::max(interval.high, alone.high);
+    auto const ends = law.order.quantiles({0.025, 0.975});
+    interval.low = std::min(interval.low, ends[0]);
+    interval.high = std::max(interval.high, ends[1]);
   }
   return interval;
 }

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "cases/support/case.hpp"
+#include "formulations/support/sweep.hpp"
 #include "harness/measure/allowed_order.hpp"
 #include "harness/measure/order.hpp"
 #include "reports/mean_time.hpp"
@@ -197,9 +198,32 @@ void measure_times(Levels const& levels, OrderEntry const& entry, NormChoice con
   }
 }
 
+/// Orders and times of a series whose runs are known.
+void measure(Series& series, std::vector<RunRecord> const& runs) {
+  Levels const levels = levels_of(series, runs);
+  std::set<std::pair<std::string, std::string>> measured;
+  for (std::size_t const index : series.runs) {
+    for (auto const& [field, by_region] : runs[index].errors) {
+      for (auto const& [region, error] : by_region) measured.emplace(field, region);
+    }
+  }
+  // A ladder of which every run failed still gets a verdict.
+  if (measured.empty() && std::any_of(series.runs.begin(), series.runs.end(),
+                                      [&](std::size_t index) { return runs[index].status != "ok"; })) {
+    bool const moving = series.formulation.id.starts_with("momentum/");
+    measured.emplace(moving ? "velocity" : "temperature", "all");
+  }
+  for (auto const& [field, region] : measured) {
+    for (NormChoice const& norm : norm_choices) {
+      series.orders.push_back(measure_order(levels, field, region, norm));
+      measure_times(levels, series.orders.back(), norm, series);
+    }
+  }
+}
+
 }  // namespace
 
-std::vector<Series> build_series(std::vector<RunRecord> const& runs) {
+std::vector<Series> build_series(std::vector<RunRecord> const& runs, int threads) {
   std::vector<Series> all;
   for (std::size_t index = 0; index < runs.size(); ++index) {
     RunRecord const& run = runs[index];
@@ -218,27 +242,12 @@ std::vector<Series> build_series(std::vector<RunRecord> const& runs) {
     }
     found->runs.push_back(index);
   }
-  for (Series& series : all) {
-    Levels const levels = levels_of(series, runs);
-    std::set<std::pair<std::string, std::string>> measured;
-    for (std::size_t const index : series.runs) {
-      for (auto const& [field, by_region] : runs[index].errors) {
-        for (auto const& [region, error] : by_region) measured.emplace(field, region);
-      }
-    }
-    // A ladder of which every run failed still gets a verdict.
-    if (measured.empty() && std::any_of(series.runs.begin(), series.runs.end(),
-                                        [&](std::size_t index) { return runs[index].status != "ok"; })) {
-      bool const moving = series.formulation.id.starts_with("momentum/");
-      measured.emplace(moving ? "velocity" : "temperature", "all");
-    }
-    for (auto const& [field, region] : measured) {
-      for (NormChoice const& norm : norm_choices) {
-        series.orders.push_back(measure_order(levels, field, region, norm));
-        measure_times(levels, series.orders.back(), norm, series);
-      }
-    }
-  }
+  for_each_block(
+      all.size(), threads,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t k = begin; k < end; ++k) measure(all[k], runs);
+      },
+      1);
   return all;
 }
 

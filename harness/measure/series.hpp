@@ -10,7 +10,7 @@ namespace sphverify {
 /// ladder: observed orders with verdicts by field, region and norm, and the run time that reaches 10%, 1% and
 /// 0.1% of the exact field's norm, interpolated in logarithms on the curve of error over run time, with the
 /// ends of its interval from those of the runs on either side. A level of which any replicate failed has no
-/// error: the mean over the survivors would flatter it.
-std::vector<Series> build_series(std::vector<RunRecord> const& runs);
+/// error: the mean over the survivors would flatter it. The same at any number of threads.
+std::vector<Series> build_series(std::vector<RunRecord> const& runs, int threads = 1);
 
 }  // namespace sphverify

@@ -130,6 +130,7 @@ void run_study(Study const& study, StudyOptions const& options) {
       todo.push_back(k);
     }
   }
+  int jobs = 1;
   if (units > 0) {
     std::vector<RunProgress> runs = progress_of(expansion);
     for (std::size_t k = 0; k < units; ++k) {
@@ -138,7 +139,7 @@ void run_study(Study const& study, StudyOptions const& options) {
     PendingRuns pending(expansion.runs, run_options, journal.get());
     for (std::size_t const k : todo) pending.add(k);
     pending.sort(todo);
-    int const jobs = std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion));
+    jobs = std::min(jobs_at_a_time(study, options.jobs), jobs_that_fit(expansion));
     Progress progress(std::move(runs), jobs);
     ForkJoin loop;
     tbb::task_arena arena(jobs);
@@ -170,7 +171,7 @@ void run_study(Study const& study, StudyOptions const& options) {
   }
   for (auto& unit : records) std::move(unit.begin(), unit.end(), std::back_inserter(results.runs));
   if (!study.envelope) {
-    results.series = build_series(results.runs);
+    results.series = build_series(results.runs, jobs * study.threads);
     results.surfaces = build_surfaces(results.runs);
   }
   write_document(options.output, document_text(to_json(results)));

@@ -5,7 +5,7 @@
 #include "bench/benchmarks.hpp"
 #include "bench/passes.hpp"
 #include "formulations/rate_operator.hpp"
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 
 namespace sphverify::bench {
 

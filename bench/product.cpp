@@ -7,9 +7,9 @@
 #include "bench/passes.hpp"
 #include "bench/sample.hpp"
 #include "formulations/rate_operator.hpp"
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/density.hpp"
-#include "formulations/support/locality.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/density/density.hpp"
+#include "formulations/neighbours/locality.hpp"
 #include "formulations/viscosity/monaghan.hpp"
 
 namespace sphverify::bench {

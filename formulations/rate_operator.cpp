@@ -8,7 +8,8 @@
 
 #include "formulations/all.hpp"
 #include "formulations/density/continuity.hpp"
-#include "formulations/support/sweep.hpp"
+#include "formulations/basics/parallel.hpp"
+#include "formulations/walls/sweep_wall.hpp"
 
 namespace sphverify {
 

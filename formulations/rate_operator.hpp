@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "formulations/support/pair_geometry.hpp"
-#include "formulations/support/scheme.hpp"
-#include "formulations/support/sweep/pair_sweep.hpp"
+#include "formulations/pair_geometry.hpp"
+#include "formulations/scheme.hpp"
+#include "formulations/sweep/pair_sweep.hpp"
 
 namespace sphverify {
 

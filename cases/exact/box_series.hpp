@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "formulations/support/vector.hpp"
+#include "formulations/basics/vector.hpp"
 
 namespace sphverify::exact {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/support/vector.hpp"
+#include "formulations/basics/vector.hpp"
 
 namespace sphverify::exact {
 

@@ -7,7 +7,7 @@
 
 #include "cases/exact/require.hpp"
 #include "cases/support/problem.hpp"
-#include "formulations/support/expects.hpp"
+#include "formulations/basics/expects.hpp"
 
 namespace sphverify {
 

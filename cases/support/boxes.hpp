@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "formulations/support/domain.hpp"
-#include "formulations/support/walls.hpp"
+#include "formulations/particles/domain.hpp"
+#include "formulations/walls/walls.hpp"
 
 namespace sphverify {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "formulations/support/field.hpp"
-#include "formulations/support/vector.hpp"
+#include "formulations/particles/field.hpp"
+#include "formulations/basics/vector.hpp"
 
 namespace sphverify {
 

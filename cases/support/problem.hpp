@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "cases/support/features.hpp"
-#include "formulations/support/domain.hpp"
-#include "formulations/support/scheme.hpp"
-#include "formulations/support/walls.hpp"
+#include "formulations/particles/domain.hpp"
+#include "formulations/scheme.hpp"
+#include "formulations/walls/walls.hpp"
 
 namespace sphverify {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/expects.hpp"
+#include "formulations/basics/expects.hpp"
 
 namespace sphverify {
 

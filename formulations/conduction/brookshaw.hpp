@@ -1,7 +1,7 @@
 #pragma once
 
-#include "formulations/support/scheme.hpp"
-#include "formulations/support/vector.hpp"
+#include "formulations/scheme.hpp"
+#include "formulations/basics/vector.hpp"
 
 namespace sphverify {
 

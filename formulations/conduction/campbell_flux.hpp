@@ -1,8 +1,8 @@
 #pragma once
 
-#include "formulations/support/scheme.hpp"
-#include "formulations/support/square.hpp"
-#include "formulations/support/vector.hpp"
+#include "formulations/scheme.hpp"
+#include "formulations/basics/square.hpp"
+#include "formulations/basics/vector.hpp"
 
 namespace sphverify {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "formulations/support/scheme.hpp"
-#include "formulations/support/vector.hpp"
+#include "formulations/scheme.hpp"
+#include "formulations/basics/vector.hpp"
 
 namespace sphverify {
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "formulations/support/expects.hpp"
-#include "formulations/support/smoothing_length.hpp"
-#include "formulations/support/sweep.hpp"
+#include "formulations/basics/expects.hpp"
+#include "formulations/particles/smoothing_length.hpp"
+#include "formulations/walls/sweep_wall.hpp"
 
 namespace sphverify {
 

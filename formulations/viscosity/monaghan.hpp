@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "formulations/support/pair_geometry.hpp"
-#include "formulations/support/sweep/pair_sweep.hpp"
+#include "formulations/pair_geometry.hpp"
+#include "formulations/sweep/pair_sweep.hpp"
 
 namespace sphverify {
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "formulations/support/domain.hpp"
-#include "formulations/support/walls.hpp"
+#include "formulations/particles/domain.hpp"
+#include "formulations/walls/walls.hpp"
 #include "reports/json/node.hpp"
 
 namespace sphverify {

@@ -7,9 +7,9 @@
 #include <span>
 
 #include "formulations/rate_operator.hpp"
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/finite.hpp"
-#include "formulations/support/finite_face.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/basics/finite.hpp"
+#include "formulations/walls/finite_face.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/evaluate/state.hpp"
 

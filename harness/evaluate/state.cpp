@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/scene/choices.hpp"
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "formulations/support/density.hpp"
-#include "formulations/support/particles.hpp"
-#include "formulations/support/walls.hpp"
+#include "formulations/density/density.hpp"
+#include "formulations/particles/particles.hpp"
+#include "formulations/walls/walls.hpp"
 #include "reports/json/node.hpp"
 
 namespace sphverify {

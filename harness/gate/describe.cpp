@@ -3,7 +3,7 @@
 #include <array>
 
 #include "cases/support/case.hpp"
-#include "formulations/support/field.hpp"
+#include "formulations/particles/field.hpp"
 #include "harness/gate/measure.hpp"
 #include "harness/gate/measuring.hpp"
 #include "reports/json/results_json.hpp"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <random>
 
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/finite.hpp"
 #include "harness/integrate/ode.hpp"
 #include "harness/integrate/samples.hpp"
 

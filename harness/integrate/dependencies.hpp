@@ -1,6 +1,6 @@
 #pragma once
 
-#include "formulations/support/pair_geometry.hpp"
+#include "formulations/pair_geometry.hpp"
 #include "harness/integrate/coloured_jacobian.hpp"
 
 namespace sphverify {

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/finite.hpp"
 #include "harness/integrate/ode.hpp"
 
 namespace sphverify {

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/finite.hpp"
 #include "harness/integrate/ode.hpp"
 
 namespace sphverify {

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/smoothing_length.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/particles/smoothing_length.hpp"
 
 namespace sphverify {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cases/support/features.hpp"
-#include "formulations/support/particles.hpp"
+#include "formulations/particles/particles.hpp"
 #include "harness/measure/norms.hpp"
 #include "reports/results.hpp"
 

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "formulations/support/expects.hpp"
-#include "formulations/support/neighbours.hpp"
+#include "formulations/basics/expects.hpp"
+#include "formulations/neighbours/neighbours.hpp"
 
 namespace sphverify {
 

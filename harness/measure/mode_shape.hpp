@@ -2,9 +2,9 @@
 
 #include <Eigen/Core>
 
-#include "formulations/support/domain.hpp"
-#include "formulations/support/particles.hpp"
-#include "formulations/support/walls.hpp"
+#include "formulations/particles/domain.hpp"
+#include "formulations/particles/particles.hpp"
+#include "formulations/walls/walls.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {

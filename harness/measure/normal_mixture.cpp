@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "formulations/support/expects.hpp"
+#include "formulations/basics/expects.hpp"
 
 namespace sphverify {
 

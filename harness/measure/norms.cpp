@@ -5,10 +5,10 @@
 #include <iterator>
 #include <limits>
 
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/expects.hpp"
-#include "formulations/support/finite.hpp"
-#include "formulations/support/smoothing_length.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/basics/expects.hpp"
+#include "formulations/basics/finite.hpp"
+#include "formulations/particles/smoothing_length.hpp"
 #include "reports/extremes.hpp"
 
 namespace sphverify {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/finite.hpp"
 #include "reports/extremes.hpp"
 #include "reports/second_law_watched.hpp"
 

@@ -10,7 +10,7 @@
 #include <tuple>
 
 #include "cases/support/case.hpp"
-#include "formulations/support/sweep.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "harness/measure/allowed_order.hpp"
 #include "harness/measure/order.hpp"
 #include "reports/mean_time.hpp"

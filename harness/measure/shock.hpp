@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/particles.hpp"
+#include "formulations/particles/particles.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {

@@ -11,8 +11,8 @@
 #include <numeric>
 #include <random>
 
-#include "formulations/support/expects.hpp"
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/expects.hpp"
+#include "formulations/basics/finite.hpp"
 
 namespace sphverify {
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/finite.hpp"
 #include "reports/extremes.hpp"
 
 namespace sphverify {

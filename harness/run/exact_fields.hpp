@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/smoothing_length.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/particles/smoothing_length.hpp"
 #include "reports/extremes.hpp"
 #include "reports/results.hpp"
 

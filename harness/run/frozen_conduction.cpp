@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "formulations/support/finite.hpp"
+#include "formulations/basics/finite.hpp"
 #include "harness/integrate/dependencies.hpp"
 #include "harness/measure/sample_times.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 
 namespace sphverify {
 

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "cases/support/case.hpp"
-#include "formulations/support/flag_set.hpp"
+#include "formulations/basics/flag_set.hpp"
 #include "harness/measure/timing.hpp"
 #include "reports/results.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "formulations/support/density.hpp"
-#include "formulations/support/walls.hpp"
+#include "formulations/density/density.hpp"
+#include "formulations/walls/walls.hpp"
 #include "harness/study/words.hpp"
 
 namespace sphverify {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/support/expects.hpp"
+#include "formulations/basics/expects.hpp"
 
 namespace sphverify {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {

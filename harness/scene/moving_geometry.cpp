@@ -6,9 +6,9 @@
 #include <limits>
 #include <stdexcept>
 
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/self_consistent_smoothing.hpp"
-#include "formulations/support/sweep.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/density/self_consistent_smoothing.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "harness/scene/list_skin.hpp"
 
 namespace sphverify {

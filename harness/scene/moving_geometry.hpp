@@ -4,8 +4,8 @@
 #include <optional>
 #include <string_view>
 
-#include "formulations/support/density.hpp"
-#include "formulations/support/pair_geometry.hpp"
+#include "formulations/density/density.hpp"
+#include "formulations/pair_geometry.hpp"
 
 namespace sphverify {
 

@@ -7,11 +7,11 @@
 #include <limits>
 #include <numeric>
 
-#include "formulations/support/approach.hpp"
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/expects.hpp"
-#include "formulations/support/sweep.hpp"
-#include "formulations/support/wall_out_of_reach.hpp"
+#include "formulations/sweep/approach.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/basics/expects.hpp"
+#include "formulations/basics/parallel.hpp"
+#include "formulations/walls/wall_out_of_reach.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
 #include "harness/scene/wall_geometry.hpp"

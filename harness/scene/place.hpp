@@ -3,8 +3,8 @@
 #include <stdexcept>
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/layout_common.hpp"
-#include "formulations/support/locality.hpp"
+#include "formulations/layouts/layout_common.hpp"
+#include "formulations/neighbours/locality.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {

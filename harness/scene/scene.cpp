@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/sweep.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
 #include "harness/scene/wall_geometry.hpp"

@@ -7,7 +7,7 @@
 
 #include "cases/support/problem.hpp"
 #include "formulations/rate_operator.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 #include "harness/scene/cut_cells.hpp"
 #include "reports/results.hpp"
 

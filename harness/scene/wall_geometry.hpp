@@ -7,8 +7,8 @@
 #include <stdexcept>
 
 #include "cases/support/problem.hpp"
-#include "formulations/support/domain.hpp"
-#include "formulations/support/pair_geometry.hpp"
+#include "formulations/particles/domain.hpp"
+#include "formulations/pair_geometry.hpp"
 #include "reports/extremes.hpp"
 #include "reports/results.hpp"
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-#include "formulations/support/fork_join.hpp"
+#include "formulations/basics/fork_join.hpp"
 #include "harness/measure/series.hpp"
 #include "harness/measure/surface.hpp"
 #include "harness/study/available_memory.hpp"

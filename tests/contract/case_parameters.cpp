@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "cases/support/case.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 #include "tests/support/other_values.hpp"
 
 // Whatever a user gives has an effect or is refused: of every case, every parameter is varied, by itself and

@@ -7,7 +7,7 @@
 
 #include "cases/support/boxes.hpp"
 #include "cases/support/case.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 #include "tests/support/other_values.hpp"
 #include "tests/support/walls_at.hpp"
 

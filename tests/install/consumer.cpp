@@ -3,7 +3,7 @@
 
 #include "cases/support/case.hpp"
 #include "formulations/rate_operator.hpp"
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 
 int main() {
   using namespace sphverify;

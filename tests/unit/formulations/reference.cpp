@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "formulations/support/density.hpp"
+#include "formulations/density/density.hpp"
 #include "tests/support/random_particles.hpp"
 
 // The states and rates of tests/data/operators-*d.json, which an independent prototype computed.

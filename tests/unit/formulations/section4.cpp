@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 #include "tests/support/gathered_pairs.hpp"
 #include "tests/support/random_particles.hpp"
 

@@ -11,7 +11,7 @@
 #include "cases/extreme/density_contrast.hpp"
 #include "cases/extreme/radiative_cooling.hpp"
 #include "cases/extreme/radiative_wall.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 
 // What the cases make of the exact solutions, where the contract does not look.
 BOOST_AUTO_TEST_SUITE(cases_extreme_contrasts)

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "cases/support/boxes.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 
 BOOST_AUTO_TEST_SUITE(cases_support_turned)
 

@@ -6,8 +6,8 @@
 
 #include "cases/support/boxes.hpp"
 #include "cases/support/case.hpp"
-#include "formulations/support/cubic_spline.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/layouts/layout.hpp"
 
 BOOST_AUTO_TEST_SUITE(harness_measure_allowed_order)
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "cases/support/boxes.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 
 BOOST_AUTO_TEST_SUITE(harness_measure_mode_shape)
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "cases/support/boxes.hpp"
-#include "formulations/support/layout.hpp"
+#include "formulations/layouts/layout.hpp"
 #include "reports/extremes.hpp"
 #include "tests/support/random_particles.hpp"
 

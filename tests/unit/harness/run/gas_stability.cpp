@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 #include "tests/support/runs.hpp"
 
 BOOST_AUTO_TEST_SUITE(harness_run_gas_stability)

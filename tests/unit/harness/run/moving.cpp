@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 #include "harness/run/moving_gas.hpp"
 #include "tests/support/runs.hpp"
 

@@ -3,7 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <limits>
 
-#include "formulations/support/cubic_spline.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
 #include "harness/scene/list_skin.hpp"
 #include "tests/support/dense.hpp"
 

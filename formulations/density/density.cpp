@@ -1,0 +1,50 @@
+#include "formulations/density/density.hpp"
+
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/walls/finite_face.hpp"
+#include "formulations/sweep/pair_sweep.hpp"
+
+namespace sphverify {
+
+template <int Dim>
+std::vector<double> summation_density(CellGrid<Dim> const& grid, SmoothingLength const& h,
+                                      std::vector<double> const& mass) {
+  std::vector<double> density(mass.size());
+  for (std::size_t i = 0; i < mass.size(); ++i) {
+    double sum = 0.0;
+    grid.for_each_within_reach(grid.positions()[i],
+                               [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+                                 sum += mass[j] * CubicSpline<Dim>::value(distance, h(i));
+                               });
+    density[i] = sum;
+  }
+  return density;
+}
+
+template <int Dim>
+void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Domain<Dim> const& domain,
+                 int threads) {
+  auto& density = particles.scalar(Field::density);
+  PairSweep<Dim> sweep(neighbours, domain, threads);
+  sweep.add(sweep_kernels<Dim>().density, {Field::mass}, {}, density);
+  sweep.run(particles);
+  double const own = CubicSpline<Dim>::value(0.0, particles.smoothing_length());
+  for (std::size_t i = 0; i < density.size(); ++i) density[i] += particles.masses()[i] * own;
+}
+
+template <int Dim>
+double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double h) {
+  return inner_fraction(x, walls, h);
+}
+
+#define SPHVERIFY_INSTANTIATE(Dim)                                                             \
+  template std::vector<double> summation_density(CellGrid<Dim> const&, SmoothingLength const&, \
+                                                 std::vector<double> const&);                  \
+  template void sum_density(Particles<Dim>&, NeighbourList const&, Domain<Dim> const&, int);   \
+  template double kernel_inside(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double);
+SPHVERIFY_INSTANTIATE(1)
+SPHVERIFY_INSTANTIATE(2)
+SPHVERIFY_INSTANTIATE(3)
+#undef SPHVERIFY_INSTANTIATE
+
+}  // namespace sphverify

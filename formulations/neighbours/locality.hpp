@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "formulations/layouts/layout.hpp"
+
+namespace sphverify {
+
+/// The order in which particles lie along a space-filling curve (Morton's) through cells of a given size, so
+/// that who is near in space is mostly near in memory: entry n is the particle to be put at place n.
+/// Particles of one cell keep their order. Cells are along the axes of the box, which the particles may have
+/// left.
+/// @param cell edge of the cells [m], positive; the kernel's support serves
+template <int Dim>
+std::vector<std::uint32_t> locality_order(VectorField<Dim> const& positions, Domain<Dim> const& domain,
+                                          double cell);
+
+/// Puts particle order[n] at place n. Expects a permutation.
+template <int Dim>
+void reorder(Layout<Dim>& layout, std::vector<std::uint32_t> const& order);
+
+}  // namespace sphverify

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "formulations/basics/flag_set.hpp"
+
+namespace sphverify {
+
+/// What a particle can carry. Position and mass always exist; every other array only if somebody needs it.
+enum class Field {
+  position,
+  mass,
+  density,
+  velocity,
+  pressure,
+  internal_energy,
+  temperature,
+  conductivity,
+  flux,
+  acceleration,
+  heating,
+  sound_speed,
+  density_rate
+};
+
+using FieldSet = FlagSet<Field>;
+
+struct FieldInfo {
+  Field field;
+  std::string_view name;  ///< as written in documents
+  bool is_vector;
+  std::string_view unit;  ///< in SI; any coherent system of units serves
+};
+
+inline constexpr std::array<FieldInfo, 13> field_infos{{
+    {Field::position, "position", true, "m"},
+    {Field::mass, "mass", false, "kg"},
+    {Field::density, "density", false, "kg/m^3"},
+    {Field::velocity, "velocity", true, "m/s"},
+    {Field::pressure, "pressure", false, "Pa"},
+    {Field::internal_energy, "internal_energy", false, "J/kg"},
+    {Field::temperature, "temperature", false, "K"},
+    {Field::conductivity, "conductivity", false, "W/(m K)"},
+    {Field::flux, "flux", true, "W/m^2"},
+    {Field::acceleration, "acceleration", true, "m/s^2"},
+    {Field::heating, "heating", false, "W/kg"},
+    {Field::sound_speed, "sound_speed", false, "m/s"},
+    {Field::density_rate, "density_rate", false, "kg/(m^3 s)"},
+}};
+
+constexpr FieldInfo const& info(Field field) { return field_infos[static_cast<std::size_t>(field)]; }
+
+}  // namespace sphverify

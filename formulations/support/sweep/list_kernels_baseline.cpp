@@ -1,9 +1,0 @@
-#define SPHVERIFY_INSTRUCTION_SET baseline
-#include "formulations/support/sweep/list_kernels.hpp"
-
-namespace sphverify {
-
-extern constinit ListKernels const baseline_list_kernels[3] = {
-    baseline::make_list_kernels<1>(), baseline::make_list_kernels<2>(), baseline::make_list_kernels<3>()};
-
-}  // namespace sphverify

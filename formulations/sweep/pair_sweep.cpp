@@ -1,0 +1,200 @@
+#include "formulations/sweep/pair_sweep.hpp"
+
+#include <algorithm>
+#include <new>
+
+#include "formulations/basics/expects.hpp"
+#include "formulations/basics/parallel.hpp"
+
+namespace sphverify {
+
+namespace {
+
+constexpr std::size_t alignment = 64;  // a cache line
+
+/// Memory that starts on a cache line, is not written before it is used, and is kept for the next who asks on
+/// the same thread: given back and taken anew at every sweep it would cost as much as the sweep.
+class Workspace {
+ public:
+  double* of(std::size_t count) {
+    if (count > size_) {
+      data_.reset();
+      data_.reset(static_cast<double*>(::operator new(count * sizeof(double), std::align_val_t(alignment))));
+      size_ = count;
+    }
+    return data_.get();
+  }
+
+ private:
+  struct Delete {
+    void operator()(double* p) const { ::operator delete(p, std::align_val_t(alignment)); }
+  };
+  std::unique_ptr<double, Delete> data_;
+  std::size_t size_ = 0;
+};
+thread_local Workspace record_space;
+thread_local Workspace row_space;
+
+}  // namespace
+
+/// Particles as one record each: what a row gathers of a neighbour lies side by side in memory.
+template <int Dim>
+struct PairSweep<Dim>::Records {
+  RecordSlots slots;
+  double* values;
+
+  Records(FieldSet reads, Particles<Dim> const& particles, VectorField<Dim> const* state_velocity,
+          int threads)
+      : slots(record_slots(reads, Dim, !particles.smoothing_lengths().empty(), state_velocity != nullptr)),
+        values(record_space.of(slots.stride() * std::max<std::size_t>(1, particles.size()))) {
+    std::vector<double const*> const sources = sources_of(particles, state_velocity);
+    std::size_t const stride = slots.stride();
+    for_each_block(particles.size(), threads, [&](std::size_t begin, std::size_t end) {
+      // Slot after slot, on as many records at a time as the nearest cache holds.
+      for (std::size_t first = begin; first < end; first += records_at_a_time) {
+        std::size_t const last = std::min(first + records_at_a_time, end);
+        for (std::size_t s = 0; s < stride; ++s) fill_slot(s, sources[s], first, last);
+      }
+    });
+  }
+
+ private:
+  static constexpr std::size_t records_at_a_time = 128;
+
+  /// @param source null where the slot holds 1/rho or nothing
+  void fill_slot(std::size_t slot, double const* source, std::size_t first, std::size_t last) {
+    std::size_t const stride = slots.stride();
+    if (source != nullptr) {
+      for (std::size_t i = first; i < last; ++i) values[i * stride + slot] = source[i];
+    } else if (static_cast<int>(slot) == slots.per_rho) {
+      for (std::size_t i = first; i < last; ++i)
+        values[i * stride + slot] = 1.0 / values[i * stride + slots.rho];
+    } else {
+      for (std::size_t i = first; i < last; ++i) values[i * stride + slot] = 0.0;
+    }
+  }
+
+  /// Per slot where its values are; null for what is computed or nothing.
+  std::vector<double const*> sources_of(Particles<Dim> const& particles,
+                                        VectorField<Dim> const* state_velocity) const {
+    std::vector<double const*> sources(slots.stride(), nullptr);
+    auto const scalar = [&](Field field, int slot) {
+      if (slot >= 0) sources[static_cast<std::size_t>(slot)] = particles.scalar(field).data();
+    };
+    auto const vector = [&](VectorField<Dim> const& field, int slot) {
+      for (int k = 0; k < Dim; ++k) sources[static_cast<std::size_t>(slot + k)] = field.component(k).data();
+    };
+    vector(particles.positions(), 0);
+    scalar(Field::mass, slots.m);
+    scalar(Field::density, slots.rho);
+    scalar(Field::pressure, slots.P);
+    scalar(Field::temperature, slots.T);
+    scalar(Field::conductivity, slots.K);
+    scalar(Field::sound_speed, slots.c);
+    if (slots.h >= 0) sources[static_cast<std::size_t>(slots.h)] = particles.smoothing_lengths().data();
+    if (slots.v >= 0) vector(particles.vector(Field::velocity), slots.v);
+    if (state_velocity && slots.u >= 0) vector(*state_velocity, slots.u);
+    if (slots.F >= 0) vector(particles.vector(Field::flux), slots.F);
+    return sources;
+  }
+};
+
+/// The loop made for just these terms, if there is one for such particles.
+template <int Dim>
+FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan) const {
+  if (plan.slots.h >= 0 || plan.wrapping == Wrapping::turned) return nullptr;
+  bool const drifts = plan.slots.u != plan.slots.v;
+  for (FusedSweep const& one : sweep_kernels<Dim>().fused) {
+    if (drifts && !one.reads_state_velocity) continue;
+    std::size_t same = 0;
+    while (same < terms_.size() && same < one.terms.size() && one.terms[same] == terms_[same].sum) ++same;
+    bool const all = same == terms_.size() && (same == one.terms.size() || one.terms[same] == nullptr);
+    if (all && one.reads == reads_) return &one;
+  }
+  return nullptr;
+}
+
+template <int Dim>
+void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel,
+                         std::vector<double*> const& out, void const* parameters) {
+  expects(terms_.size() < most_terms && out.size() <= most_components);
+  RowTerm term{
+      .sum = sum, .parameters = parameters, .components = static_cast<int>(out.size()), .outputs = {}};
+  std::copy(out.begin(), out.end(), term.outputs.begin());
+  terms_.push_back(term);
+  reads_ = reads_ | reads;
+  if (!kernel.empty()) wants_radial_ = true;
+  if (kernel.contains(KernelWeight::gradient) || reads.contains(Field::velocity)) wants_separation_ = true;
+}
+
+template <int Dim>
+void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, std::vector<double>& out,
+                         void const* parameters) {
+  add(sum, reads, kernel, std::vector<double*>{out.data()}, parameters);
+}
+
+template <int Dim>
+void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, VectorField<Dim>& out) {
+  std::vector<double*> components;
+  for (int k = 0; k < Dim; ++k) components.push_back(out.component(k).data());
+  add(sum, reads, kernel, components, nullptr);
+}
+
+template <int Dim>
+SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& records) const {
+  SweepPlan plan{.records = records.values,
+                 .stride = records.slots.stride(),
+                 .slots = records.slots,
+                 .first = neighbours_.first.data(),
+                 .neighbour = neighbours_.neighbour.data(),
+                 .h = particles.smoothing_length(),
+                 .wrapping = Wrapping::none,
+                 .period = {},
+                 .inverse_period = {},
+                 .axes = {},
+                 .wants_separation = wants_separation_,
+                 .wants_radial = wants_radial_,
+                 .terms = terms_.data(),
+                 .term_count = terms_.size()};
+  if (domain_.is_periodic()) plan.wrapping = domain_.is_turned() ? Wrapping::turned : Wrapping::along_axes;
+  for (int k = 0; k < Dim; ++k) {
+    for (int n = 0; n < Dim; ++n) plan.axes[static_cast<std::size_t>(k * Dim + n)] = domain_.axes(n, k);
+    if (!domain_.periodic[k]) continue;
+    plan.period[static_cast<std::size_t>(k)] = domain_.extent()[k];
+    plan.inverse_period[static_cast<std::size_t>(k)] = 1.0 / domain_.extent()[k];
+  }
+  return plan;
+}
+
+template <int Dim>
+void PairSweep<Dim>::run(Particles<Dim> const& particles, VectorField<Dim> const* state_velocity) {
+  Records const records(reads_, particles, state_velocity, threads_);
+  SweepPlan const sweep = plan(particles, records);
+  FusedSweep const* const made_for_this = fused(sweep);
+  for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
+    if (made_for_this) return made_for_this->rows(sweep, begin, end);
+    double* const scratch = row_space.of(scratch_size(sweep.stride));
+    sweep_kernels<Dim>().rows(sweep, begin, end, scratch);
+  });
+}
+
+template <int Dim>
+std::vector<double> PairSweep<Dim>::conductances(void (*of_row)(Row const&, double*), FieldSet reads,
+                                                 Particles<Dim> const& particles) {
+  expects(particles.smoothing_lengths().empty());
+  wants_radial_ = wants_separation_ = true;
+  Records const records(reads, particles, nullptr, threads_);
+  SweepPlan const sweep = plan(particles, records);
+  std::vector<double> all(neighbours_.pairs());
+  for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
+    double* const scratch = row_space.of(scratch_size(sweep.stride));
+    sweep_kernels<Dim>().conductances(sweep, of_row, begin, end, scratch, all.data());
+  });
+  return all;
+}
+
+template class PairSweep<1>;
+template class PairSweep<2>;
+template class PairSweep<3>;
+
+}  // namespace sphverify

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "formulations/particles/field.hpp"
+
+// The sweep over pairs as plain data: what the files that are compiled once per instruction set share with
+// the rest. No functions here, so that none is compiled twice with different instructions.
+namespace sphverify {
+
+/// Where in a particle's record its fields lie, in doubles; -1 for those that nothing reads. The place comes
+/// first.
+struct RecordSlots {
+  int m = -1, rho = -1, P = -1, T = -1, K = -1, c = -1, h = -1;
+  int per_rho = -1;  ///< 1/rho
+  int v = -1;        ///< velocity with which the particle drifts, `Dim` doubles
+  int u = -1;        ///< velocity of the state, which viscosity rubs with; most often the same
+  int F = -1;        ///< heat flux, `Dim` doubles
+  int used = 0;      ///< doubles in all
+
+  /// Doubles from one record to the next: whole packs.
+  constexpr std::size_t stride() const { return static_cast<std::size_t>(used + 3) / 4 * 4; }
+};
+
+/// @param reads fields beside position
+/// @param own_lengths whether every particle has its own smoothing length
+/// @param drifts whether what moves does so with other velocities than the state's
+constexpr RecordSlots record_slots(FieldSet reads, int dimension, bool own_lengths, bool drifts) {
+  RecordSlots slots;
+  auto const take = [&slots](int size) {
+    slots.used += size;
+    return slots.used - size;
+  };
+  take(dimension);
+  if (reads.contains(Field::mass)) slots.m = take(1);
+  if (reads.contains(Field::density)) {
+    slots.rho = take(1);
+    slots.per_rho = take(1);
+  }
+  if (reads.contains(Field::pressure)) slots.P = take(1);
+  if (reads.contains(Field::temperature)) slots.T = take(1);
+  if (reads.contains(Field::conductivity)) slots.K = take(1);
+  if (reads.contains(Field::sound_speed)) slots.c = take(1);
+  if (own_lengths) slots.h = take(1);
+  if (reads.contains(Field::velocity)) {
+    slots.v = take(dimension);
+    slots.u = drifts ? take(dimension) : slots.v;
+  }
+  if (reads.contains(Field::flux)) slots.F = take(dimension);
+  return slots;
+}
+
+/// How many neighbours are looked at together; longer rows come in parts.
+inline constexpr std::size_t part_size = 128;
+
+/// Neighbours of one particle, or a part of them, copied side by side: what the formulas of all terms of a
+/// sweep read.
+struct Row {
+  RecordSlots slots;
+  double const* own;      ///< the particle's record
+  double const* columns;  ///< field s of neighbour k is columns[s * part_size + k]; in place of x: x_i - x_j,
+                          ///< if some term wants it
+  double const* distance;  ///< r_ij  [m]
+  double const* radial;    ///< W'(r)/r; only if some term reads the gradient or this
+  std::size_t count;       ///< neighbours, filled up to whole packs with ones out of reach
+  double h;                ///< the particle's own smoothing length [m]
+};
+
+/// What one sweep can hold.
+inline constexpr std::size_t most_terms = 6;
+inline constexpr std::size_t most_components = 5;
+
+/// Adds a term's sum over a row to as many numbers as the term has components.
+using RowFunction = void (*)(Row const& row, void const* parameters, double* sums);
+
+/// A term of a sweep and where its sums go: `outputs` arrays of one number per particle.
+struct RowTerm {
+  RowFunction sum;
+  void const* parameters;
+  int components;
+  std::array<double*, most_components> outputs;
+};
+
+/// How separations are brought to their nearest periodic image.
+enum class Wrapping { none, along_axes, turned };
+
+/// A sweep over the rows of a neighbour list.
+struct SweepPlan {
+  double const* records;  ///< aligned to 32 bytes
+  std::size_t stride;     ///< doubles per record, a multiple of 4
+  RecordSlots slots;
+  std::size_t const* first;
+  std::uint32_t const* neighbour;
+  double h;  ///< the common smoothing length, where slots.h < 0
+  Wrapping wrapping;
+  std::array<double, 3> period;          ///< 0 along axes that are not periodic
+  std::array<double, 3> inverse_period;  ///< likewise
+  std::array<double, 9> axes;            ///< the box's axes, one after the other
+  bool wants_separation;
+  bool wants_radial;
+  RowTerm const* terms;
+  std::size_t term_count;
+};
+
+inline constexpr std::size_t most_schemes = 32;
+
+/// Sweeps of terms that are often wanted together have a loop of their own, in which a neighbour goes from
+/// its record into all terms without being copied in between. Serves plans without own smoothing lengths and
+/// turned boxes.
+struct FusedSweep {
+  std::array<RowFunction, 4> terms;  ///< null after the last
+  FieldSet reads;                    ///< of all of them
+  bool reads_state_velocity;         ///< serves plans with drift too
+  void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end);
+};
+inline constexpr std::size_t most_fused = 40;
+
+/// The loops over pairs in one dimension, compiled for one instruction set.
+struct SweepKernels {
+  char const* instruction_set;
+  /// Rows begin to end of a plan. @param scratch scratch_size(stride) doubles, aligned to 32 bytes
+  void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end, double* scratch);
+  /// The compared schemes in the order of AllSchemes: their rates, and the first pass of those that have two.
+  std::array<RowFunction, most_schemes> rate, flux;
+  std::array<FusedSweep, most_fused> fused;
+  RowFunction continuity;
+  RowFunction density;    ///< sum_j m_j W(r_ij, h_i), the particle itself left out
+  RowFunction viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
+  RowFunction approach;   ///< largest rate_of_approach()
+  /// Per pair of a row its conductance, for conduction that is linear on particles at rest.
+  std::array<void (*)(Row const& row, double* conductance), most_schemes> conductance;
+  void (*conductances)(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
+                       std::size_t end, double* scratch, double* out);
+  /// rate_i = sum_j c_ij (T_i - T_j) for rows begin to end.
+  void (*conduct)(std::size_t const* first, std::uint32_t const* neighbour, double const* conductance,
+                  double const* temperature, std::size_t begin, std::size_t end, double* rate);
+};
+
+/// Doubles of scratch memory that a plan's rows need.
+constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 3) * part_size; }
+
+}  // namespace sphverify

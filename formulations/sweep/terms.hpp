@@ -1,0 +1,140 @@
+#pragma once
+
+#include "formulations/density/continuity.hpp"
+#include "formulations/sweep/approach.hpp"
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/scheme.hpp"
+#include "formulations/sweep/views.hpp"
+#include "formulations/viscosity/monaghan.hpp"
+
+// What a sweep adds up over a row, four neighbours at a time. Each says what it reads, takes its parameters,
+// adds, and writes what it has.
+namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
+
+/// Adds up a term's lanes.
+SPHVERIFY_INLINE void add_to(Pack sum, double* out) { *out += sum.sum(); }
+template <int Dim>
+SPHVERIFY_INLINE void add_to(PackVector<Dim> const& sum, double* out) {
+  for (int k = 0; k < Dim; ++k) out[k] += sum.component[k].sum();
+}
+SPHVERIFY_INLINE void raise_to(Pack largest, double* out) {
+  double const most = largest.largest();
+  *out = *out < most ? most : *out;
+}
+
+template <int Dim, bool is_vector>
+struct SumOf {
+  Pack value = 0.0;
+};
+template <int Dim>
+struct SumOf<Dim, true> {
+  PackVector<Dim> value{};
+};
+
+/// The pairs of a scheme's rate.
+template <class Scheme, int Dim>
+struct RateTerm {
+  static constexpr FieldSet reads = Scheme::info.reads | FieldSet{Field::mass} |
+                                    (Scheme::info.two_pass ? FieldSet{Field::flux} : FieldSet{});
+  static constexpr bool wants_radial = true;
+  static constexpr int components = Scheme::info.rate == Rate::acceleration ? Dim : 1;
+  SumOf<Dim, Scheme::info.rate == Rate::acceleration> sum;
+
+  SPHVERIFY_INLINE explicit RateTerm(void const*) {}
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
+    sum.value += Scheme::pair(i, j, W);
+  }
+  SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum.value, out); }
+};
+
+/// The first pass of a scheme that has two.
+template <class Scheme, int Dim>
+struct FluxTerm {
+  static constexpr FieldSet reads = Scheme::info.reads | FieldSet{Field::mass};
+  static constexpr bool wants_radial = true;
+  static constexpr int components = Dim;
+  PackVector<Dim> sum{};
+
+  SPHVERIFY_INLINE explicit FluxTerm(void const*) {}
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
+    sum += Scheme::flux_pair(i, j, W);
+  }
+  SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum, out); }
+};
+
+/// sum_j m_j W(r_ij, h_i)
+template <int Dim>
+struct DensityTerm {
+  static constexpr FieldSet reads{Field::mass};
+  static constexpr bool wants_radial = false;
+  static constexpr int components = 1;
+  Pack sum = 0.0;
+
+  SPHVERIFY_INLINE explicit DensityTerm(void const*) {}
+  SPHVERIFY_INLINE void add(auto const&, auto const& j, auto const& W) {
+    sum += j.m() * CubicSpline<Dim>::shape(W.distance() * Pack(1.0 / W.own_h()));
+  }
+  SPHVERIFY_INLINE void write(double h, double* out) const {
+    *out += (Pack(CubicSpline<Dim>::sigma) * integer_power<Dim>(Pack(1.0 / h)) * Pack(sum.sum())).lanes[0];
+  }
+};
+
+/// Artificial viscosity: acceleration, heating, largest |mu|.
+template <int Dim>
+struct ViscosityTerm {
+  static constexpr FieldSet reads{Field::mass, Field::density, Field::velocity, Field::sound_speed};
+  static constexpr bool reads_state_velocity = true;
+  static constexpr bool has_divisor = true;
+  static constexpr bool wants_radial = true;
+  static constexpr int components = Dim + 2;
+  MonaghanViscosity law;
+  PackVector<Dim> acceleration{};
+  Pack heating = 0.0;
+  Pack largest = 0.0;
+
+  SPHVERIFY_INLINE explicit ViscosityTerm(void const* parameters)
+      : law(*static_cast<MonaghanViscosity const*>(parameters)) {}
+  SPHVERIFY_INLINE static Pack mean_rho(auto const& i, auto const& j) {
+    return Pack(0.5) * (i.rho() + j.rho());
+  }
+  SPHVERIFY_INLINE static Pack divisor(auto const& i, auto const& j, auto const& W) {
+    return MonaghanViscosity::divisor(W.squared_distance(), W.h(), mean_rho(i, j));
+  }
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
+    auto const v_ji = j.u() - i.u();  // as the work has it: one difference serves both
+    Pack const h = W.h();
+    // Beyond the support nothing rubs; a list may hold pairs that are not near yet.
+    Pack const approach =
+        select(W.distance() < Pack(CubicSpline<Dim>::support_ratio) * h, -v_ji.dot(W.separation()), 0.0);
+    auto const [mu, Pi] =
+        law.pair(approach, h, Pack(0.5) * (i.c() + j.c()), mean_rho(i, j), W.with_inverse(divisor(i, j, W)));
+    auto const push = (j.m() * Pi) * W.gradient();
+    acceleration = acceleration - push.eval();
+    heating -= Pack(0.5) * v_ji.dot(push);
+    largest = max(largest, -mu);
+  }
+  SPHVERIFY_INLINE void write(double, double* out) const {
+    add_to(acceleration, out);
+    add_to(heating, out + Dim);
+    raise_to(largest, out + Dim + 1);
+  }
+};
+
+/// Largest rate_of_approach().
+template <int Dim>
+struct ApproachTerm {
+  static constexpr FieldSet reads{Field::velocity};
+  static constexpr bool wants_radial = false;
+  static constexpr int components = 1;
+  Pack largest = 0.0;
+
+  SPHVERIFY_INLINE explicit ApproachTerm(void const*) {}
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
+    Pack const r = W.distance();
+    Pack const rate = rate_of_approach<Dim, Pack>(-((i.u() - j.u()).dot(W.separation())), r * r, W.h());
+    largest = max(largest, select(r < Pack(CubicSpline<Dim>::support_ratio) * W.h(), rate, 0.0));
+  }
+  SPHVERIFY_INLINE void write(double, double* out) const { raise_to(largest, out); }
+};
+
+}  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

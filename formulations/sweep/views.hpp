@@ -1,0 +1,105 @@
+#pragma once
+
+#include "formulations/simd/pack.hpp"
+#include "formulations/sweep/sweep.hpp"
+
+namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
+
+/// Reads of one particle what the schemes call by the paper's symbols.
+template <int Dim, class Read>
+class View {
+ public:
+  SPHVERIFY_INLINE View(RecordSlots const& slots, Read const& read) : slots_(slots), read_(read) {}
+
+  SPHVERIFY_INLINE Pack m() const { return read_(slots_.m); }
+  SPHVERIFY_INLINE Divisor rho() const { return {read_(slots_.rho), read_(slots_.per_rho)}; }
+  SPHVERIFY_INLINE Pack P() const { return read_(slots_.P); }
+  SPHVERIFY_INLINE Pack T() const { return read_(slots_.T); }
+  SPHVERIFY_INLINE Pack K() const { return read_(slots_.K); }
+  SPHVERIFY_INLINE Pack c() const { return read_(slots_.c); }
+  SPHVERIFY_INLINE PackVector<Dim> v() const { return vector(slots_.v); }
+  SPHVERIFY_INLINE PackVector<Dim> u() const { return vector(slots_.u); }
+  SPHVERIFY_INLINE PackVector<Dim> F() const { return vector(slots_.F); }
+
+ private:
+  SPHVERIFY_INLINE PackVector<Dim> vector(int slot) const {
+    PackVector<Dim> value;
+    for (int k = 0; k < Dim; ++k) value.component[k] = read_(slot + k);
+    return value;
+  }
+
+  RecordSlots const& slots_;
+  Read read_;
+};
+
+/// A row's own particle, in all lanes.
+struct ReadOwn {
+  double const* own;
+  SPHVERIFY_INLINE Pack operator()(int slot) const { return own[slot]; }
+};
+
+/// Neighbours k to k + 3 of a row that has been copied.
+struct ReadColumns {
+  double const* columns;
+  SPHVERIFY_INLINE Pack operator()(int slot) const {
+    return Pack::load(columns + static_cast<std::size_t>(slot) * part_size);
+  }
+};
+
+/// Four neighbours in registers.
+struct ReadRegisters {
+  Pack const* columns;
+  SPHVERIFY_INLINE Pack operator()(int slot) const { return columns[slot]; }
+};
+
+/// The kernel between the row's particle and its neighbours k to k + 3.
+template <int Dim>
+class KernelColumns {
+ public:
+  SPHVERIFY_INLINE KernelColumns(Row const& row, std::size_t k) : row_(row), k_(k) {}
+
+  SPHVERIFY_INLINE Pack radial() const {
+    return Pack::load(row_.radial + k_);
+  }  ///< (r_ij . grad_i W_ij)/r_ij^2
+  SPHVERIFY_INLINE Pack distance() const { return Pack::load(row_.distance + k_); }  ///< r_ij
+  SPHVERIFY_INLINE Pack squared_distance() const { return distance() * distance(); }
+  /// @param divisor the term's `divisor`
+  SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, Pack(1.0) / divisor}; }
+  SPHVERIFY_INLINE PackVector<Dim> separation() const {  ///< r_i - r_j
+    PackVector<Dim> value;
+    for (int d = 0; d < Dim; ++d) {
+      value.component[d] = Pack::load(row_.columns + static_cast<std::size_t>(d) * part_size + k_);
+    }
+    return value;
+  }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {radial(), separation()}; }  ///< grad_i W_ij
+  SPHVERIFY_INLINE Pack h() const {                                                         ///< of the pair
+    if (row_.slots.h < 0) return row_.h;
+    return Pack(0.5) * (Pack(row_.h) + ReadColumns{row_.columns + k_}(row_.slots.h));
+  }
+  SPHVERIFY_INLINE double own_h() const { return row_.h; }
+
+ private:
+  Row const& row_;
+  std::size_t k_;
+};
+
+/// The same in registers.
+template <int Dim>
+struct KernelRegisters {
+  PackVector<Dim> r;
+  Pack squared, length, slope;
+  Pack inverse;  ///< of the divisor that one of the terms has
+  double common_h;
+
+  SPHVERIFY_INLINE Pack radial() const { return slope; }
+  SPHVERIFY_INLINE Pack distance() const { return length; }
+  SPHVERIFY_INLINE Pack squared_distance() const { return squared; }
+  SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, inverse}; }
+  SPHVERIFY_INLINE PackVector<Dim> separation() const { return r; }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
+  SPHVERIFY_INLINE Pack h() const { return common_h; }
+  SPHVERIFY_INLINE double own_h() const { return common_h; }
+};
+
+}  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

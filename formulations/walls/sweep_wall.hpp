@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "formulations/walls/views.hpp"
+
+namespace sphverify {
+
+inline void increase(std::vector<double>& out, std::size_t i, double value) { out[i] += value; }
+template <int Dim>
+void increase(VectorField<Dim>& out, std::size_t i, Vector<Dim> const& value) {
+  out.add(i, value);
+}
+
+/// out_i += term(i, wall) for every contact; returns the terms, one per contact.
+template <class Value, int Dim, class Out, class Term>
+std::vector<Value> sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out,
+                              Term const& term) {
+  FieldPointers<Dim> const fields(particles);
+  std::vector<Value> terms;
+  terms.reserve(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    terms.push_back(term(ParticleView<Dim>(fields, contacts.particle[c]), WallView<Dim>(contacts, c)));
+    increase(out, contacts.particle[c], terms.back());
+  }
+  return terms;
+}
+
+}  // namespace sphverify

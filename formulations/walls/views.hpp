@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+
+#include "formulations/particles/particles.hpp"
+#include "formulations/walls/walls.hpp"
+
+namespace sphverify {
+
+/// Where the particle fields lie in memory; null where a field is not allocated.
+template <int Dim>
+struct FieldPointers {
+  double const *m = nullptr, *rho = nullptr, *P = nullptr, *T = nullptr, *K = nullptr;
+  std::array<double const*, Dim> v{}, F{};
+
+  explicit FieldPointers(Particles<Dim> const& particles) {
+    auto const scalar = [&](Field f) { return particles.has(f) ? particles.scalar(f).data() : nullptr; };
+    m = scalar(Field::mass);
+    rho = scalar(Field::density);
+    P = scalar(Field::pressure);
+    T = scalar(Field::temperature);
+    K = scalar(Field::conductivity);
+    for (int k = 0; k < Dim; ++k) {
+      if (particles.has(Field::velocity)) v[k] = particles.vector(Field::velocity).component(k).data();
+      if (particles.has(Field::flux)) F[k] = particles.vector(Field::flux).component(k).data();
+    }
+  }
+};
+
+/// One particle as a scheme sees it: the paper's symbols, each read from memory only where it is used.
+template <int Dim>
+class ParticleView {
+ public:
+  ParticleView(FieldPointers<Dim> const& fields, std::size_t index) : f_(&fields), i_(index) {}
+
+  double m() const { return f_->m[i_]; }
+  double rho() const { return f_->rho[i_]; }
+  double P() const { return f_->P[i_]; }
+  double T() const { return f_->T[i_]; }
+  double K() const { return f_->K[i_]; }
+  Vector<Dim> v() const { return gather(f_->v); }
+  Vector<Dim> F() const { return gather(f_->F); }
+
+ private:
+  Vector<Dim> gather(std::array<double const*, Dim> const& components) const {
+    Vector<Dim> value;
+    for (int k = 0; k < Dim; ++k) value[k] = components[k][i_];
+    return value;
+  }
+
+  FieldPointers<Dim> const* f_;
+  std::size_t i_;
+};
+
+/// A wall at the foot point of particle i as a scheme sees it.
+template <int Dim>
+class WallView {
+ public:
+  WallView(WallContacts<Dim> const& contacts, std::size_t contact) : w_(&contacts), c_(contact) {}
+
+  double A() const { return w_->face_weight[c_]; }
+  Vector<Dim> S() const { return w_->face_weight[c_] * w_->outward_normal; }
+  double d() const { return w_->distance[c_]; }
+  double rho() const { return w_->foot_density[c_]; }
+  double P() const { return w_->pressure[c_]; }
+  double T() const { return w_->temperature[c_]; }
+  double K() const { return w_->conductivity[c_]; }
+  Vector<Dim> v() const { return w_->velocity[c_]; }
+  Vector<Dim> F() const { return w_->flux[c_]; }
+  bool prescribes_flux_only() const { return w_->prescribes_flux_only; }
+
+ private:
+  WallContacts<Dim> const* w_;
+  std::size_t c_;
+};
+
+}  // namespace sphverify

@@ -1,0 +1,391 @@
+#include "formulations/walls/walls.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/basics/expects.hpp"
+#include "formulations/walls/finite_face.hpp"
+#include "formulations/walls/wall_heat_balance.hpp"
+#include "formulations/walls/wall_riemann.hpp"
+
+namespace sphverify {
+
+template <int Dim>
+bool Wall<Dim>::prescribes(BoundaryValue value) const {
+  switch (value) {
+    case BoundaryValue::pressure:
+      return static_cast<bool>(pressure);
+    case BoundaryValue::velocity:
+      return static_cast<bool>(velocity);
+    case BoundaryValue::temperature:
+      return static_cast<bool>(temperature);
+    case BoundaryValue::conductivity:
+      return static_cast<bool>(conductivity);
+    case BoundaryValue::flux:
+      return flux || heat_loss;
+  }
+  return false;
+}
+
+template <int Dim>
+std::size_t WallContacts<Dim>::bytes() const {
+  std::size_t const doubles = distance.capacity() + face_weight.capacity() + foot_density.capacity() +
+                              pressure.capacity() + temperature.capacity() + conductivity.capacity() +
+                              interpolation_kernel.capacity() +
+                              Dim * (foot.size() + velocity.size() + flux.size());
+  return sizeof(double) * doubles +
+         sizeof(std::uint32_t) * (particle.capacity() + interpolation_neighbour.capacity()) +
+         sizeof(std::size_t) * interpolation_first.capacity();
+}
+
+template <int Dim>
+double face_weight(double d, double h, FaceWeight rule) {
+  if (rule != FaceWeight::campbell) return CubicSpline<Dim>::plane_integral(d, h);
+  if (d >= 2.0 * h) return 0.0;
+  double const squared_radius = 4.0 * h * h - d * d;  // of the disc that the support cuts out of the plane
+  double const area = Dim == 1   ? 1.0
+                      : Dim == 2 ? 2.0 * std::sqrt(squared_radius)
+                                 : std::numbers::pi * squared_radius;
+  return CubicSpline<Dim>::value(d, h) * area;
+}
+
+template <int Dim>
+double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls,
+                    double h, std::vector<double> const& mass) {
+  double const factor = wall_interpolation_factor(foot, walls, h);
+  double sum = 0.0;
+  grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+    sum += mass[j] * (factor * CubicSpline<Dim>::value(distance, h));
+  });
+  return sum;
+}
+
+namespace {
+
+/// -n . sum_j (m_j/rho_j) grad_i W_ij: the face weight that makes a uniform state feel no force along n.
+template <int Dim>
+double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal,
+                            SmoothingLength const& h, std::vector<double> const& mass,
+                            std::vector<double> const& density) {
+  double sum = 0.0;
+  grid.for_each_within_reach(
+      grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
+        if (j == i) return;
+        sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h(i, j)) * separation.dot(normal);
+      });
+  return sum;
+}
+
+/// Adds those that a foot point interpolates from, and their kernels, to the last contact's.
+/// @return foot_density() there; where it is 0 nothing is added
+template <int Dim>
+double add_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid, Vector<Dim> const& foot,
+                         std::vector<Wall<Dim>> const& walls, double h, std::vector<double> const& mass) {
+  double const factor = wall_interpolation_factor(foot, walls, h);
+  std::size_t const before = contacts.interpolation_neighbour.size();
+  double sum = 0.0;
+  grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
+    double const kernel = factor * CubicSpline<Dim>::value(distance, h);
+    if (kernel == 0.0) return;
+    contacts.interpolation_neighbour.push_back(j);
+    contacts.interpolation_kernel.push_back(kernel);
+    sum += mass[j] * kernel;
+  });
+  if (sum <= 0.0) {
+    contacts.interpolation_neighbour.resize(before);
+    contacts.interpolation_kernel.resize(before);
+  }
+  return sum;
+}
+
+template <int Dim>
+std::size_t walls_within_reach(std::vector<Wall<Dim>> const& walls, Vector<Dim> const& x, double reach) {
+  return static_cast<std::size_t>(std::count_if(
+      walls.begin(), walls.end(), [&](Wall<Dim> const& wall) { return wall.distance(x) < reach; }));
+}
+
+}  // namespace
+
+template <int Dim>
+WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
+                                     std::vector<Wall<Dim>> const& all_walls,
+                                     SmoothingLength const& smoothing_length, std::vector<double> const& mass,
+                                     std::vector<double> const& density, FaceWeight rule) {
+  VectorField<Dim> const& positions = grid.positions();
+  WallContacts<Dim> contacts;
+  auto const self = std::find_if(all_walls.begin(), all_walls.end(),
+                                 [&](Wall<Dim> const& other) { return &other == &wall; });
+  expects(self != all_walls.end());
+  auto const index = static_cast<std::size_t>(self - all_walls.begin());
+  std::vector<Vector<Dim>> feet;
+  contacts.interpolation_first.push_back(0);
+  contacts.outward_normal = wall.outward_normal;
+  contacts.prescribes_flux_only =
+      wall.prescribes(BoundaryValue::flux) && !wall.prescribes(BoundaryValue::temperature);
+
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    double const d = wall.distance(positions[i]);
+    if (d <= 0.0) {
+      throw std::invalid_argument("particle " + std::to_string(i) +
+                                  " lies on or outside a wall: its distance is " + std::to_string(d) +
+                                  ", expected a positive one");
+    }
+    double const h = smoothing_length(i);
+    double const reach = CubicSpline<Dim>::support_ratio * h;
+    if (d >= reach) continue;
+    auto const foot = nearest_on_face(positions[i], all_walls, index, h);
+    if (!foot) continue;
+    bool const is_plane_s_own = *foot == wall.foot(positions[i]);  // else it may be out of reach
+    if (!is_plane_s_own && (*foot - positions[i]).norm() >= reach) continue;
+    double const at_foot = add_interpolation(contacts, grid, *foot, all_walls, h, mass);
+    if (at_foot <= 0.0) continue;  // alone, and at reach but for round-off
+    contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
+    contacts.foot_density.push_back(at_foot);
+    feet.push_back(*foot);
+    contacts.particle.push_back(static_cast<std::uint32_t>(i));
+    contacts.distance.push_back(d);
+    bool const balance =
+        rule == FaceWeight::balanced && walls_within_reach(all_walls, positions[i], reach) == 1;
+    contacts.face_weight.push_back(
+        balance ? balanced_face_weight(grid, i, wall.outward_normal, smoothing_length, mass, density)
+                : face_weight(positions[i], all_walls, index, h,
+                              rule == FaceWeight::balanced ? FaceWeight::exact : rule));
+  }
+
+  contacts.foot = VectorField<Dim>(contacts.size());
+  for (std::size_t c = 0; c < contacts.size(); ++c) contacts.foot.set(c, feet[c]);
+  return contacts;
+}
+
+namespace {
+
+/// sum_j (m_j/rho_j) f_j W(r_j - r_B)/Gamma(r_B) of a contact.
+template <int Dim, class Value, class Values>
+Value kernel_sum(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+                 Value zero, Values const& f) {
+  auto const& mass = particles.masses();
+  auto const& density = particles.scalar(Field::density);
+  Value sum = zero;
+  for (std::size_t k = contacts.interpolation_first[c]; k < contacts.interpolation_first[c + 1]; ++k) {
+    std::uint32_t const j = contacts.interpolation_neighbour[k];
+    sum += mass[j] / density[j] * contacts.interpolation_kernel[k] * f(j);
+  }
+  return sum;
+}
+
+/// What a closure's interpolation is divided by.
+template <int Dim>
+double divisor(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+               Closure closure) {
+  if (closure != Closure::quotient) return 1.0;
+  return kernel_sum(contacts, c, particles, 0.0, [](std::uint32_t) { return 1.0; });
+}
+
+template <int Dim>
+double interpolated(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+                    Closure closure, std::vector<double> const& f) {
+  double const sum = kernel_sum(contacts, c, particles, 0.0, [&](std::uint32_t j) { return f[j]; });
+  return sum / divisor(contacts, c, particles, closure);
+}
+
+template <int Dim>
+Vector<Dim> interpolated(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles,
+                         Closure closure, VectorField<Dim> const& f) {
+  Vector<Dim> const zero = Vector<Dim>::Zero();
+  Vector<Dim> const sum =
+      kernel_sum(contacts, c, particles, zero, [&](std::uint32_t j) -> Vector<Dim> { return f[j]; });
+  return sum / divisor(contacts, c, particles, closure);
+}
+
+/// F_B = -K_B (T_B - T_i)/d_i n where the wall prescribes temperature only.
+template <int Dim>
+void one_sided_flux(WallContacts<Dim>& contacts, Particles<Dim> const& particles) {
+  auto const& T = particles.scalar(Field::temperature);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    double const slope = (contacts.temperature[c] - T[contacts.particle[c]]) / contacts.distance[c];
+    contacts.flux.set(c, -contacts.conductivity[c] * slope * contacts.outward_normal);
+  }
+}
+
+/// T_B = T_i - (F_B . n) d_i / K_i where the wall prescribes flux only.
+template <int Dim>
+void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
+                           Particles<Dim> const& particles, double time) {
+  auto const& T = particles.scalar(Field::temperature);
+  auto const& K = particles.scalar(Field::conductivity);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t const i = contacts.particle[c];
+    double const outward = wall.flux(contacts.foot[c], time).dot(contacts.outward_normal);
+    // Where nothing conducts the wall is at the particle's own temperature.
+    contacts.temperature[c] = K[i] > 0.0 ? T[i] - outward * contacts.distance[c] / K[i] : T[i];
+  }
+}
+
+/// T_B and F_B of a wall that loses heat: the temperature at which as much reaches it from within as it
+/// loses. Within is, by Closure::one_sided, the particle; else what the kernel sees, at the mean distance
+/// that it sees it from, so that a temperature linear along the normal gives the wall's own.
+template <int Dim>
+void balance_heat(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                  Closure closure) {
+  expects(!wall.temperature && !wall.flux);
+  auto const& T = particles.scalar(Field::temperature);
+  auto const& K = particles.scalar(Field::conductivity);
+  auto const& positions = particles.positions();
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t const i = contacts.particle[c];
+    double inside = T[i];
+    double distance = contacts.distance[c];
+    double conductivity = K[i];
+    if (closure != Closure::one_sided) {
+      auto const mean = [&](auto const& f) {
+        return kernel_sum(contacts, c, particles, 0.0, f) / divisor(contacts, c, particles, closure);
+      };
+      inside = mean([&](std::uint32_t j) { return T[j]; });
+      distance = mean([&](std::uint32_t j) { return wall.distance(positions[j]); });
+      conductivity = mean([&](std::uint32_t j) { return K[j]; });
+    }
+    double const wall_temperature =
+        balanced_wall_temperature(*wall.heat_loss, inside, conductivity / distance);
+    contacts.temperature[c] = wall_temperature;
+    contacts.flux.set(c, wall.heat_loss->flux(wall_temperature) * contacts.outward_normal);
+  }
+}
+
+/// The gas at a contact's foot point, by the quotient. A gas that has lost its pressure sends no wave.
+template <int Dim>
+struct GasAtFoot {
+  double rho, P;
+  Vector<Dim> v;
+
+  GasAtFoot(WallContacts<Dim> const& contacts, std::size_t c, Particles<Dim> const& particles)
+      : rho(interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::density))),
+        P(std::max(
+            0.0, interpolated(contacts, c, particles, Closure::quotient, particles.scalar(Field::pressure)))),
+        v(interpolated(contacts, c, particles, Closure::quotient, particles.vector(Field::velocity))) {}
+};
+
+/// P_B of the wave that a wall of prescribed velocity sends into the gas.
+template <int Dim>
+void one_sided_pressure(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                        double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    GasAtFoot<Dim> const gas(contacts, c, particles);
+    double const closing = (gas.v - wall.velocity(contacts.foot[c], time)).dot(contacts.outward_normal);
+    contacts.pressure[c] = pressure_at_wall(gas.rho, gas.P, closing, wall.gamma);
+  }
+}
+
+/// v_B of the wave that a wall of prescribed pressure sends into the gas; along the wall the gas slips.
+template <int Dim>
+void one_sided_velocity(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                        double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    GasAtFoot<Dim> const gas(contacts, c, particles);
+    double const closing =
+        closing_speed_at_wall(gas.rho, gas.P, wall.pressure(contacts.foot[c], time), wall.gamma);
+    contacts.velocity.set(c, gas.v - closing * contacts.outward_normal);
+  }
+}
+
+template <int Dim>
+void fill(WallContacts<Dim> const& contacts, ScalarAtWall<Dim> const& prescribed,
+          Particles<Dim> const& particles, Closure closure, Field field, std::vector<double>& out,
+          double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    out[c] = prescribed ? prescribed(contacts.foot[c], time)
+                        : interpolated(contacts, c, particles, closure, particles.scalar(field));
+  }
+}
+
+template <int Dim>
+void fill(WallContacts<Dim> const& contacts, VectorAtWall<Dim> const& prescribed,
+          Particles<Dim> const& particles, Closure closure, Field field, VectorField<Dim>& out, double time) {
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    out.set(c, prescribed ? prescribed(contacts.foot[c], time)
+                          : interpolated(contacts, c, particles, closure, particles.vector(field)));
+  }
+}
+
+template <int Dim>
+void allocate(WallContacts<Dim>& contacts, BoundaryValueSet wanted) {
+  auto const scalar = [&](BoundaryValue value, std::vector<double>& out) {
+    if (wanted.contains(value)) out.resize(contacts.size());
+  };
+  auto const vector = [&](BoundaryValue value, VectorField<Dim>& out) {
+    if (wanted.contains(value) && out.size() != contacts.size()) out = VectorField<Dim>(contacts.size());
+  };
+  scalar(BoundaryValue::pressure, contacts.pressure);
+  scalar(BoundaryValue::temperature, contacts.temperature);
+  scalar(BoundaryValue::conductivity, contacts.conductivity);
+  vector(BoundaryValue::velocity, contacts.velocity);
+  vector(BoundaryValue::flux, contacts.flux);
+}
+
+}  // namespace
+
+template <int Dim>
+void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
+                          BoundaryValueSet wanted, Closure closure, double time) {
+  bool const one_sided = closure == Closure::one_sided;
+  bool const has_gas = wall.gamma > 1.0;
+  bool const fourier_flux =
+      one_sided && !wall.flux && wall.temperature && wanted.contains(BoundaryValue::flux);
+  if (fourier_flux) wanted.insert(BoundaryValue::conductivity);
+  bool const balances =
+      wall.heat_loss && (wanted.contains(BoundaryValue::temperature) || wanted.contains(BoundaryValue::flux));
+  if (balances) wanted = wanted | BoundaryValueSet{BoundaryValue::temperature, BoundaryValue::flux};
+  allocate(contacts, wanted);
+  if (balances) balance_heat(contacts, wall, particles, closure);
+  if (wanted.contains(BoundaryValue::pressure)) {
+    if (one_sided && has_gas && !wall.pressure && wall.velocity) {
+      one_sided_pressure(contacts, wall, particles, time);
+    } else {
+      fill(contacts, wall.pressure, particles, closure, Field::pressure, contacts.pressure, time);
+    }
+  }
+  if (wanted.contains(BoundaryValue::velocity)) {
+    if (one_sided && has_gas && !wall.velocity && wall.pressure) {
+      one_sided_velocity(contacts, wall, particles, time);
+    } else {
+      fill(contacts, wall.velocity, particles, closure, Field::velocity, contacts.velocity, time);
+    }
+  }
+  if (wanted.contains(BoundaryValue::temperature) && !balances) {
+    if (one_sided && contacts.prescribes_flux_only) {
+      one_sided_temperature(contacts, wall, particles, time);
+    } else {
+      fill(contacts, wall.temperature, particles, closure, Field::temperature, contacts.temperature, time);
+    }
+  }
+  if (wanted.contains(BoundaryValue::conductivity)) {
+    fill(contacts, wall.conductivity, particles, closure, Field::conductivity, contacts.conductivity, time);
+  }
+  if (wanted.contains(BoundaryValue::flux) && !balances) {
+    if (fourier_flux) {
+      one_sided_flux(contacts, particles);
+    } else {
+      fill(contacts, wall.flux, particles, closure, Field::flux, contacts.flux, time);
+    }
+  }
+}
+
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                      \
+  template struct Wall<Dim>;                                                                            \
+  template struct WallContacts<Dim>;                                                                    \
+  template double face_weight<Dim>(double, double, FaceWeight);                                         \
+  template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, std::vector<Wall<Dim>> const&, \
+                               double, std::vector<double> const&);                                     \
+  template WallContacts<Dim> find_wall_contacts(                                                        \
+      CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&,    \
+      std::vector<double> const&, std::vector<double> const&, FaceWeight);                              \
+  template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,       \
+                                     BoundaryValueSet, Closure, double);
+SPHVERIFY_INSTANTIATE(1)
+SPHVERIFY_INSTANTIATE(2)
+SPHVERIFY_INSTANTIATE(3)
+#undef SPHVERIFY_INSTANTIATE
+
+}  // namespace sphverify

@@ -1,0 +1,808 @@
+#include "formulations/sweep/pair_sweep.hpp"
+
+#include <algorithm>
+#include <boost/test/unit_test.hpp>
+#include <functional>
+#include <numeric>
+#include <set>
+#include <string>
+
+#include "formulations/density/continuity.hpp"
+#include "formulations/density/density.hpp"
+#include "formulations/viscosity/monaghan.hpp"
+#include "tests/support/dense.hpp"
+#include "tests/support/gathered_pairs.hpp"
+
+namespace sphverify {
+
+extern SweepKernels const baseline_kernels[3];
+#if defined(__x86_64__)
+extern SweepKernels const avx2_kernels[3];
+#endif
+
+}  // namespace sphverify
+
+BOOST_AUTO_TEST_SUITE(formulations_sweep_pair_sweep)
+
+using namespace sphverify;
+using namespace sphverify::tests;
+
+constexpr double round_off = 1e-12;  ///< of the largest number
+MonaghanViscosity const viscosity{.alpha = 0.8, .beta = 1.7};
+
+/// Fields, also those that only a second pass or viscosity reads.
+template <int Dim>
+void fill_fields(Particles<Dim>& particles, Random& random) {
+  randomise_fields(particles, random);
+  particles.allocate(Field::sound_speed);
+  for (double& c : particles.scalar(Field::sound_speed)) c = random.uniform(0.3, 2.0);
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles.vector(Field::flux).set(i, random.vector<Dim>(-1.0, 1.0));
+  }
+}
+
+template <int Dim>
+void vary_lengths(Particles<Dim>& particles, Random& random) {
+  particles.vary_smoothing_length();
+  for (double& h : particles.smoothing_lengths()) h *= random.uniform(0.6, 1.0);
+}
+
+/// Of rows: nothing, less than a pack, packs and a rest, a whole part, parts and a rest.
+std::vector<std::size_t> const row_lengths{0, 1, 3, 4, 5, 8, 23, part_size, part_size + 1, 2 * part_size + 5};
+
+/// Clusters out of reach of each other. Within one all are neighbours, so that a row is as long as its
+/// cluster less one. Particles of a cluster do not follow each other.
+template <int Dim>
+RandomScene<Dim> clusters(std::uint64_t seed) {
+  std::size_t const count = std::accumulate(row_lengths.begin(), row_lengths.end(), row_lengths.size());
+  Random random(seed);
+  double const h = 0.1;
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
+                   .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
+  std::vector<Vector<Dim>> places;
+  for (std::size_t c = 0; c < row_lengths.size(); ++c) {
+    Vector<Dim> centre = Vector<Dim>::Zero();
+    centre[0] = static_cast<double>(c);
+    for (std::size_t n = 0; n <= row_lengths[c]; ++n) {
+      places.push_back(centre + random.uniform(0.0, 0.99 * h) * random.direction<Dim>());
+    }
+  }
+  for (std::size_t n = count; n > 1; --n) {
+    std::swap(places[n - 1], places[static_cast<std::size_t>(random.uniform(0.0, static_cast<double>(n)))]);
+  }
+  for (std::size_t i = 0; i < count; ++i) scene.particles.positions().set(i, places[i]);
+  fill_fields(scene.particles, random);
+  return scene;
+}
+
+enum class Box { open, along_axes, turned };
+
+/// Particles at random places of a unit box, all axes but perhaps the last periodic, in a box that may be
+/// turned.
+template <int Dim>
+RandomScene<Dim> in_box(std::uint64_t seed, std::size_t count, Box box, bool last_is_periodic = true) {
+  Random random(seed);
+  double const h = Dim == 1 ? 1.3 / static_cast<double>(count) : (Dim == 2 ? 0.14 : 0.2);
+  RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
+                   .domain = {.lower = Vector<Dim>::Constant(-0.3), .upper = Vector<Dim>::Constant(0.7)}};
+  if (box != Box::open) scene.domain.periodic.fill(true);
+  scene.domain.periodic[Dim - 1] = scene.domain.periodic[Dim - 1] && last_is_periodic;
+  if (box == Box::turned) scene.domain.axes = Dim == 2 ? random.rotation<Dim>() : random.reflection<Dim>();
+  for (std::size_t i = 0; i < count; ++i) {
+    scene.particles.positions().set(i, scene.domain.to_space(random.vector<Dim>(-0.3, 0.7)));
+  }
+  fill_fields(scene.particles, random);
+  return scene;
+}
+
+/// A term of the sweep, by the name of what it sums.
+struct Term {
+  std::string name;
+  RowFunction sum;
+  FieldSet reads;
+  KernelWeightSet kernel;
+  int components;
+  void const* parameters;
+};
+
+template <int Dim>
+std::vector<Term> all_terms(SweepKernels const& kernels = sweep_kernels<Dim>()) {
+  std::vector<Term> terms;
+  auto const& infos = all_scheme_infos();
+  for (std::size_t s = 0; s < infos.size(); ++s) {
+    SchemeInfo const& info = *infos[s];
+    FieldSet reads = info.reads | FieldSet{Field::mass};
+    if (info.two_pass) {
+      terms.push_back({std::string(info.id) + " flux", kernels.flux[s], reads, info.kernel, Dim, nullptr});
+      reads.insert(Field::flux);
+    }
+    int const components = info.rate == Rate::acceleration ? Dim : 1;
+    terms.push_back({std::string(info.id), kernels.rate[s], reads, info.kernel, components, nullptr});
+  }
+  terms.push_back({"continuity", kernels.continuity, ContinuityDensity::info.reads | FieldSet{Field::mass},
+                   ContinuityDensity::info.kernel, 1, nullptr});
+  terms.push_back({"density", kernels.density, {Field::mass}, {}, 1, nullptr});
+  terms.push_back({"viscosity",
+                   kernels.viscosity,
+                   {Field::mass, Field::density, Field::velocity, Field::sound_speed},
+                   {KernelWeight::gradient},
+                   Dim + 2,
+                   &viscosity});
+  terms.push_back({"approach", kernels.approach, {Field::velocity}, {}, 1, nullptr});
+  return terms;
+}
+
+FieldSet union_of(std::vector<Term> const& terms) {
+  FieldSet reads;
+  for (Term const& term : terms) reads = reads | term.reads;
+  return reads;
+}
+
+/// Per term and component, one number per particle.
+using Sums = std::vector<std::vector<std::vector<double>>>;
+
+Sums room_for(std::vector<Term> const& terms, std::size_t count) {
+  Sums sums;
+  for (Term const& term : terms) {
+    sums.emplace_back(static_cast<std::size_t>(term.components), std::vector<double>(count, 99.0));
+  }
+  return sums;
+}
+
+/// In as many sweeps as it takes: one holds most_terms.
+template <int Dim>
+Sums swept(RandomScene<Dim> const& scene, NeighbourList const& list, std::vector<Term> const& terms,
+           int threads = 1, VectorField<Dim> const* state_velocity = nullptr) {
+  Sums sums = room_for(terms, scene.particles.size());
+  for (std::size_t first = 0; first < terms.size(); first += most_terms) {
+    PairSweep<Dim> sweep(list, scene.domain, threads);
+    for (std::size_t t = first; t < std::min(first + most_terms, terms.size()); ++t) {
+      std::vector<double*> out;
+      for (auto& component : sums[t]) out.push_back(component.data());
+      sweep.add(terms[t].sum, terms[t].reads, terms[t].kernel, out, terms[t].parameters);
+    }
+    sweep.run(scene.particles, state_velocity);
+  }
+  return sums;
+}
+
+std::vector<double> flat(std::vector<std::vector<double>> const& components) {
+  std::vector<double> all;
+  for (auto const& one : components) all.insert(all.end(), one.begin(), one.end());
+  return all;
+}
+
+/// The same sums, by a double loop over all particles and all their images.
+template <int Dim>
+class DenseSums {
+ public:
+  explicit DenseSums(RandomScene<Dim> const& scene, VectorField<Dim> const* state_velocity = nullptr)
+      : s_(scene), domain_(scene.domain), h_(scene.particles) {
+    if (state_velocity) {
+      u_ = *state_velocity;
+    } else {
+      u_ = scene.particles.vector(Field::velocity);
+    }
+  }
+
+  std::vector<std::vector<double>> of(Term const& term) const {
+    std::size_t const n = s_.particles();
+    auto const components = static_cast<std::size_t>(term.components);
+    std::vector<std::vector<double>> sums(components, std::vector<double>(n, 0.0));
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = 0; j < n; ++j) {
+        if (i == j) continue;
+        Vector<Dim> const r = separation(i, j);
+        if (r.norm() >= 2.0 * h_(i, j)) continue;
+        std::vector<double> const add = pair(term.name, i, j, r);
+        BOOST_TEST_REQUIRE(add.size() == components, term.name);
+        for (std::size_t k = 0; k < components; ++k) {
+          bool const greatest = term.name == "approach" || (term.name == "viscosity" && k + 1 == components);
+          sums[k][i] = greatest ? std::max(sums[k][i], add[k]) : sums[k][i] + add[k];
+        }
+      }
+    }
+    return sums;
+  }
+
+  /// The shortest of all images of the box and those around it.
+  Vector<Dim> separation(std::size_t i, std::size_t j) const {
+    Vector<Dim> const direct = s_.x(i) - s_.x(j);
+    Vector<Dim> best = direct;
+    int images = 1;
+    for (int k = 0; k < Dim; ++k) images *= 3;
+    for (int image = 0; image < images; ++image) {
+      Vector<Dim> moved = direct;
+      int rest = image;
+      for (int k = 0; k < Dim; ++k, rest /= 3) {
+        if (domain_.periodic[static_cast<std::size_t>(k)]) {
+          moved += (rest % 3 - 1) * domain_.extent()[k] * domain_.axes.col(k);
+        }
+      }
+      if (moved.norm() < best.norm()) best = moved;
+    }
+    return best;
+  }
+
+ private:
+  static std::vector<double> list(Vector<Dim> const& v) { return {v.data(), v.data() + Dim}; }
+
+  /// equations.md, without walls.
+  std::vector<double> pair(std::string const& name, std::size_t i, std::size_t j,
+                           Vector<Dim> const& r) const {
+    double const m = s_.m(j), rho_i = s_.rho(i), rho_j = s_.rho(j);
+    double const P_i = s_.P(i), P_j = s_.P(j), T_i = s_.T(i), T_j = s_.T(j), K_i = s_.K(i), K_j = s_.K(j);
+    Vector<Dim> const v_i = s_.v(i), v_j = s_.v(j);
+    Vector<Dim> const F_i = s_.F(i), F_j = s_.F(j);
+    double const h = h_(i, j);
+    Vector<Dim> const W = dense::slope<Dim>(r.norm(), h) * r / r.norm();
+    auto const over_square = [](double f, double rho) { return f / (rho * rho); };
+    double const both_P = over_square(P_j, rho_j) + over_square(P_i, rho_i);
+    if (name == "momentum/p-rho2") return list(-m * both_P * W);
+    if (name == "momentum/sqrt-p")
+      return list(-2.0 * std::sqrt(P_i) / rho_i * m * std::sqrt(P_j) / rho_j * W);
+    if (name == "momentum/direct-gradient") return list(-1.0 / rho_i * m * P_j / rho_j * W);
+    if (name == "work/total-energy") {
+      return {-m * (over_square(P_j, rho_j) * v_j + over_square(P_i, rho_i) * v_i).dot(W)};
+    }
+    if (name == "work/internal-energy") return {-m * over_square(P_j, rho_j) * (v_j - v_i).dot(W)};
+    if (name == "work/sqrt-p") {
+      return {-std::sqrt(P_i) / rho_i * m * std::sqrt(P_j) / rho_j * (v_j - v_i).dot(W)};
+    }
+    if (name == "conduction/brookshaw") {
+      return {m * (K_i + K_j) / (rho_i * rho_j) * (T_i - T_j) * r.dot(W) / r.squaredNorm()};
+    }
+    if (name == "conduction/lucy-flux flux") return list(-K_i * m / rho_j * T_j * W);
+    if (name == "conduction/lucy-flux") return {-1.0 / rho_i * m / rho_j * F_j.dot(W)};
+    if (name == "conduction/campbell-flux flux") {
+      return list(-K_i * rho_i * m * (over_square(T_j, rho_j) + over_square(T_i, rho_i)) * W);
+    }
+    if (name == "conduction/campbell-flux") {
+      return {-m * (F_j / (rho_j * rho_j) + F_i / (rho_i * rho_i)).dot(W)};
+    }
+    if (name == "continuity") return {m * (v_i - v_j).dot(W)};
+    if (name == "density") return {m * dense::kernel<Dim>(r.norm(), h_(i))};
+    Vector<Dim> const u = u_[i] - u_[j];
+    if (name == "approach") return {-u.dot(r) / (r.squaredNorm() + (Dim > 1 ? 0.01 * h * h : 0.0))};
+    if (name != "viscosity") return {};
+    double const mu = u.dot(r) < 0.0 ? h * u.dot(r) / (r.squaredNorm() + 0.01 * h * h) : 0.0;
+    double const c = 0.5 * (s_.c(i) + s_.c(j));
+    double const Pi = (-viscosity.alpha * c * mu + viscosity.beta * mu * mu) / (0.5 * (rho_i + rho_j));
+    std::vector<double> rates = list(-m * Pi * W);
+    rates.push_back(0.5 * m * Pi * u.dot(W));
+    rates.push_back(-mu);
+    return rates;
+  }
+
+  /// Reads the particles; the scene outlives it.
+  struct Reader : dense::State<Dim> {
+    explicit Reader(RandomScene<Dim> const& scene) : dense::State<Dim>(scene), particles_(&scene.particles) {}
+    Vector<Dim> F(std::size_t i) const { return particles_->vector(Field::flux)[i]; }
+    double c(std::size_t i) const { return particles_->scalar(Field::sound_speed)[i]; }
+    Particles<Dim> const* particles_;
+  };
+
+  Reader s_;
+  Domain<Dim> const& domain_;
+  SmoothingLength h_;
+  VectorField<Dim> u_;
+};
+
+/// Largest deviation of any term from the dense sums, relative to the term's largest.
+template <int Dim>
+void check_against_dense_sums(RandomScene<Dim> const& scene, NeighbourList const& list,
+                              VectorField<Dim> const* state_velocity = nullptr) {
+  std::vector<Term> const terms = all_terms<Dim>();
+  Sums const found = swept(scene, list, terms, 1, state_velocity);
+  DenseSums<Dim> const dense_sums(scene, state_velocity);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    BOOST_TEST(relative_difference(flat(found[t]), flat(dense_sums.of(terms[t]))) < round_off, terms[t].name);
+  }
+}
+
+template <int Dim>
+NeighbourList list_of(RandomScene<Dim> const& scene) {
+  return geometry_of(scene, false).neighbours;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(every_term_is_its_dense_sum_over_rows_of_every_length, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const own_lengths : {false, true}) {
+    RandomScene<Dim> scene = clusters<Dim>(1);
+    Random random(2);
+    if (own_lengths) vary_lengths(scene.particles, random);
+    NeighbourList const list = list_of(scene);
+    if (!own_lengths) {
+      std::set<std::size_t> lengths;
+      for (std::size_t i = 0; i < list.rows(); ++i) lengths.insert(list.row(i).size());
+      BOOST_TEST((lengths == std::set<std::size_t>(row_lengths.begin(), row_lengths.end())));
+    }
+    BOOST_TEST_CONTEXT("own smoothing lengths " << own_lengths) check_against_dense_sums(scene, list);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(every_term_is_its_dense_sum_in_open_and_periodic_and_turned_boxes, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
+    for (bool const last_is_periodic : {true, false}) {
+      for (bool const own_lengths : {false, true}) {
+        RandomScene<Dim> scene = in_box<Dim>(3, 150, box, last_is_periodic);
+        Random random(4);
+        if (own_lengths) vary_lengths(scene.particles, random);
+        BOOST_TEST_CONTEXT("box " << static_cast<int>(box) << ", last axis periodic " << last_is_periodic
+                                  << ", own smoothing lengths " << own_lengths)
+        check_against_dense_sums(scene, list_of(scene));
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(a_particle_alone_has_nothing_to_sum, D, Dimensions) {
+  constexpr int Dim = D::value;
+  RandomScene<Dim> const scene = in_box<Dim>(5, 1, Box::open);
+  for (auto const& sums : swept(scene, list_of(scene), all_terms<Dim>())) {
+    for (auto const& component : sums) BOOST_TEST((component == std::vector<double>{0.0}));
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_points_from_neighbour_to_particle_and_falls_with_distance, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
+    RandomScene<Dim> const scene = in_box<Dim>(6, 120, box);
+    PairGeometry<Dim> const geometry = geometry_of(scene, false);
+    GatheredPairs<Dim> const pairs = gathered_pairs(scene.particles, geometry);
+    DenseSums<Dim> const dense_sums(scene);
+    double const h = scene.particles.smoothing_length();
+    double const scale = dense::kernel<Dim>(0.0, h) / h;
+    BOOST_TEST_REQUIRE(geometry.neighbours.pairs() > 120u);
+    double worst_separation = 0.0, worst_distance = 0.0, worst_gradient = 0.0;
+    for (std::size_t i = 0; i < 120; ++i) {
+      for (std::size_t k = geometry.neighbours.first[i]; k < geometry.neighbours.first[i + 1]; ++k) {
+        Vector<Dim> const r = dense_sums.separation(i, geometry.neighbours.neighbour[k]);
+        Vector<Dim> const expected = dense::slope<Dim>(r.norm(), h) * r / r.norm();
+        worst_separation = std::max(worst_separation, (pairs.separation[k] - r).norm());
+        worst_distance = std::max(worst_distance, std::abs(pairs.distance[k] - r.norm()));
+        worst_gradient = std::max(worst_gradient, (pairs.gradient(k) - expected).norm());
+      }
+    }
+    BOOST_TEST(worst_separation < 1e-15);
+    BOOST_TEST(worst_distance < 1e-15);
+    BOOST_TEST(worst_gradient < 1e-13 * scale);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(gradient_is_exactly_antisymmetric, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
+    RandomScene<Dim> const scene = in_box<Dim>(7, 120, box);
+    PairGeometry<Dim> const geometry = geometry_of(scene, false);
+    NeighbourList const& list = geometry.neighbours;
+    GatheredPairs<Dim> const pairs = gathered_pairs(scene.particles, geometry);
+    bool exact = true;
+    for (std::uint32_t i = 0; i < 120; ++i) {
+      for (std::size_t k = list.first[i]; k < list.first[i + 1]; ++k) {
+        auto const row = list.row(list.neighbour[k]);
+        auto const back = std::ranges::find(row, i);
+        BOOST_TEST_REQUIRE((back != row.end()));
+        std::size_t const other =
+            list.first[list.neighbour[k]] + static_cast<std::size_t>(back - row.begin());
+        exact = exact && (pairs.separation[k] + pairs.separation[other]).norm() == 0.0 &&
+                pairs.radial[k] == pairs.radial[other];
+      }
+    }
+    BOOST_TEST(exact);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(lanes_that_fill_up_a_row_add_nothing, D, Dimensions) {
+  constexpr int Dim = D::value;
+  RandomScene<Dim> const scene = clusters<Dim>(8);
+  PairGeometry<Dim> const geometry = geometry_of(scene, false);
+  GatheredPairs<Dim> const pairs = gathered_pairs(scene.particles, geometry);
+  BOOST_TEST(pairs.idle_lanes_add_nothing);
+  BOOST_TEST(pairs.whole_packs);
+}
+
+BOOST_AUTO_TEST_CASE(separation_crosses_a_periodic_boundary_the_short_way) {
+  RandomScene<1> scene{.particles = Particles<1>(2, 0.1),
+                 .domain = {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0), .periodic = {true}}};
+  scene.particles.positions().component(0) = {0.05, 0.95};
+  scene.particles.allocate(all_fields);
+  GatheredPairs<1> const pairs = gathered_pairs(scene.particles, geometry_of(scene));
+  BOOST_TEST_REQUIRE(pairs.radial.size() == 2u);
+  // r = +h
+  BOOST_TEST(pairs.gradient(0)[0] == -0.5 / (0.1 * 0.1), boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(pairs.gradient(1)[0] == 0.5 / (0.1 * 0.1), boost::test_tools::tolerance(1e-12));
+}
+
+// Bit for bit where all go through the general loop. Those that have a loop of their own, which serves
+// particles of one smoothing length in boxes along the axes, differ by round-off.
+BOOST_AUTO_TEST_CASE_TEMPLATE(terms_of_one_sweep_give_what_each_gives_alone, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (bool const own_lengths : {false, true}) {
+    for (bool const turned : {false, true}) {
+      RandomScene<Dim> scene = turned ? in_box<Dim>(9, 150, Box::turned) : clusters<Dim>(9);
+      Random random(10);
+      if (own_lengths) vary_lengths(scene.particles, random);
+      NeighbourList const list = list_of(scene);
+      std::vector<Term> terms = all_terms<Dim>();
+      // Companies of different terms, so that records are of different lengths.
+      for (int company = 0; company < 3; ++company) {
+        std::rotate(terms.begin(), terms.begin() + 5, terms.end());
+        Sums const together = swept(scene, list, terms);
+        for (std::size_t t = 0; t < terms.size(); ++t) {
+          auto const alone = flat(swept(scene, list, {terms[t]})[0]);
+          if (own_lengths || turned) {
+            BOOST_TEST(same_bits(flat(together[t]), alone), terms[t].name);
+          } else {
+            BOOST_TEST(relative_difference(flat(together[t]), alone) < 1e-13, terms[t].name);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// The terms that a loop was made for.
+std::vector<Term> terms_of(FusedSweep const& fused, std::vector<Term> const& all) {
+  std::vector<Term> found;
+  for (RowFunction const sum : fused.terms) {
+    if (!sum) break;
+    auto const at = std::ranges::find_if(all, [&](Term const& term) { return term.sum == sum; });
+    BOOST_TEST_REQUIRE((at != all.end()));
+    found.push_back(*at);
+  }
+  return found;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(companies_that_have_a_loop_of_their_own_are_dense_sums_too, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::vector<RandomScene<Dim>> scenes{clusters<Dim>(26), in_box<Dim>(26, 150, Box::along_axes)};
+  std::size_t companies = 0;
+  for (RandomScene<Dim> const& scene : scenes) {
+    NeighbourList const list = list_of(scene);
+    DenseSums<Dim> const dense_sums(scene);
+    std::vector<Term> const all = all_terms<Dim>();
+    std::vector<std::vector<double>> expected;
+    for (Term const& term : all) expected.push_back(flat(dense_sums.of(term)));
+    for (FusedSweep const& fused : sweep_kernels<Dim>().fused) {
+      std::vector<Term> const terms = terms_of(fused, all);
+      if (terms.empty()) continue;
+      ++companies;
+      BOOST_TEST((union_of(terms) == fused.reads), terms[0].name);  // else it would never be taken
+      Sums const found = swept(scene, list, terms);
+      for (std::size_t t = 0; t < terms.size(); ++t) {
+        auto const which =
+            std::ranges::find_if(all, [&](Term const& one) { return one.name == terms[t].name; });
+        BOOST_TEST(relative_difference(flat(found[t]),
+                                       expected[static_cast<std::size_t>(which - all.begin())]) < round_off,
+                   terms[t].name << " in a company of " << terms.size());
+      }
+    }
+  }
+  BOOST_TEST(companies > 0u);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_beyond_the_support_add_nothing, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::vector<Term> const terms = all_terms<Dim>();
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
+    for (bool const own_lengths : {false, true}) {
+      RandomScene<Dim> scene = in_box<Dim>(11, 150, box);
+      Random random(12);
+      if (own_lengths) vary_lengths(scene.particles, random);
+      SmoothingLength const h(scene.particles);
+      double const skin = Dim == 3 ? 0.2 : 0.3;
+      CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * (1.0 + skin) * h.largest());
+      NeighbourList const wide = find_neighbours(grid, h, skin);
+      NeighbourList const narrow = list_of(scene);
+      BOOST_TEST(wide.pairs() > narrow.pairs() + 20);
+      Sums const found = swept(scene, wide, terms);
+      Sums const expected = swept(scene, narrow, terms);
+      for (std::size_t t = 0; t < terms.size(); ++t) {
+        // The density gathers with h_i, for which a list of pairs within the support of their mean is too
+        // short.
+        if (own_lengths && terms[t].name == "density") continue;
+        BOOST_TEST(relative_difference(flat(found[t]), flat(expected[t])) < 1e-13, terms[t].name);
+      }
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
+  constexpr int Dim = D::value;
+  // Five blocks of 1024, so that several threads really share them.
+  RandomScene<Dim> scene = random_scene<Dim>(13, 5000);
+  Random random(14);
+  fill_fields(scene.particles, random);
+  PairGeometry<Dim> const geometry = geometry_of(scene, false);
+  std::vector<Term> const terms = all_terms<Dim>();
+  Sums const one = swept(scene, geometry.neighbours, terms, 1);
+  auto const infos = all_scheme_infos();
+  for (int const threads : {2, 4}) {
+    Sums const several = swept(scene, geometry.neighbours, terms, threads);
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      BOOST_TEST(same_bits(flat(several[t]), flat(one[t])), terms[t].name << " at " << threads << " threads");
+    }
+    for (std::size_t s = 0; s < infos.size(); ++s) {
+      auto const of_row = sweep_kernels<Dim>().conductance[s];
+      if (!of_row) continue;
+      FieldSet const reads = infos[s]->reads | FieldSet{Field::mass};
+      BOOST_TEST(same_bits(PairSweep<Dim>(geometry.neighbours, geometry.domain, threads)
+                               .conductances(of_row, reads, scene.particles),
+                           PairSweep<Dim>(geometry.neighbours, geometry.domain, 1)
+                               .conductances(of_row, reads, scene.particles)));
+    }
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(density_over_a_list_is_a_dense_sum_with_the_particle_itself, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) {
+    RandomScene<Dim> scene = in_box<Dim>(15, 150, box);
+    NeighbourList const list = list_of(scene);
+    DenseSums<Dim> const dense_sums(scene);
+    std::vector<double> expected(150, 0.0);
+    for (std::size_t i = 0; i < 150; ++i) {
+      for (std::size_t j = 0; j < 150; ++j) {
+        expected[i] += scene.particles.masses()[j] * dense::kernel<Dim>(dense_sums.separation(i, j).norm(),
+                                                                        scene.particles.smoothing_length());
+      }
+    }
+    sum_density(scene.particles, list, scene.domain, 1);
+    std::vector<double> const one = scene.particles.scalar(Field::density);
+    BOOST_TEST(relative_difference(one, expected) < 1e-13);
+    sum_density(scene.particles, list, scene.domain, 2);
+    BOOST_TEST(same_bits(scene.particles.scalar(Field::density), one));
+  }
+}
+
+// Viscosity rubs with the velocity of the state where work is done with that of the drift.
+BOOST_AUTO_TEST_CASE_TEMPLATE(terms_that_read_the_state_s_velocity_take_it_and_the_others_do_not, D,
+                              Dimensions) {
+  constexpr int Dim = D::value;
+  RandomScene<Dim> const scene = in_box<Dim>(16, 150, Box::along_axes);
+  NeighbourList const list = list_of(scene);
+  Random random(17);
+  VectorField<Dim> state(150);
+  for (std::size_t i = 0; i < 150; ++i) state.set(i, random.vector<Dim>(-1.0, 1.0));
+  check_against_dense_sums(scene, list, &state);
+  std::vector<Term> const terms = all_terms<Dim>();
+  Sums const with = swept(scene, list, terms, 1, &state);
+  Sums const without = swept(scene, list, terms);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    bool const takes_it = terms[t].name == "viscosity" || terms[t].name == "approach";
+    BOOST_TEST(same_bits(flat(with[t]), flat(without[t])) == !takes_it, terms[t].name);
+  }
+}
+
+/// A scheme's heating by evaluations that are frozen after the first, at two temperatures.
+template <int Dim>
+std::vector<double> heating_twice(RandomScene<Dim> scene, std::string_view id, bool frozen, int threads) {
+  auto const scheme = make_rate_operator<Dim>(id);
+  PairGeometry<Dim> geometry = geometry_of(scene);
+  if (frozen) scheme->freeze(scene.particles, geometry, threads);
+  BOOST_TEST(scheme->bytes() ==
+             (frozen && scheme->info().difference_form ? geometry.neighbours.pairs() * sizeof(double) : 0u));
+  WorkCount work;
+  std::vector<double> rates;
+  Random random(19);
+  for (int n = 0; n < 2; ++n) {
+    scheme->evaluate(scene.particles, geometry, scene.closure, scene.time, threads, work);
+    auto const& now = scene.particles.scalar(Field::heating);
+    rates.insert(rates.end(), now.begin(), now.end());
+    for (double& T : scene.particles.scalar(Field::temperature)) T = random.uniform(0.5, 2.0);
+  }
+  BOOST_TEST(work.evaluations == 2u);
+  BOOST_TEST(work.pair_interactions == (scheme->info().two_pass ? 4u : 2u) * geometry.neighbours.pairs());
+  return rates;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(frozen_conductances_give_the_rates_that_positions_give, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::vector<RandomScene<Dim>> scenes;
+  scenes.push_back(random_scene<Dim>(18, 60));  // with walls
+  scenes.push_back(clusters<Dim>(18));
+  scenes.push_back(in_box<Dim>(18, 150, Box::along_axes));
+  scenes.push_back(in_box<Dim>(18, 150, Box::turned));
+  std::size_t linear = 0;
+  for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (scheme->rate != Rate::conduction_heating) continue;
+    linear += scheme->difference_form ? 1 : 0;
+    for (RandomScene<Dim> const& scene : scenes) {
+      std::vector<double> const expected = heating_twice(scene, scheme->id, false, 1);
+      std::vector<double> const found = heating_twice(scene, scheme->id, true, 1);
+      BOOST_TEST(relative_difference(found, expected) < 1e-13, scheme->id);
+      if (!scheme->difference_form) BOOST_TEST(same_bits(found, expected), scheme->id);
+      BOOST_TEST(same_bits(heating_twice(scene, scheme->id, true, 2), found), scheme->id);
+    }
+  }
+  BOOST_TEST(linear > 0u);
+}
+
+/// Memory as the loops want it.
+class Aligned {
+ public:
+  explicit Aligned(std::size_t count) : packs_(count / 4 + 1) {}
+  double* data() { return packs_.front().lanes; }
+
+ private:
+  struct alignas(32) Four {
+    double lanes[4] = {};
+  };
+  std::vector<Four> packs_;
+};
+
+/// A sweep with the loops of one instruction set.
+template <int Dim>
+class HandmadeSweep {
+ public:
+  HandmadeSweep(RandomScene<Dim> const& scene, NeighbourList const& list, FieldSet reads)
+      : slots_(record_slots(reads, Dim, !scene.particles.smoothing_lengths().empty(), false)),
+        stride_(slots_.stride()),
+        n_(scene.particles.size()),
+        list_(list),
+        records_(stride_ * n_) {
+    Particles<Dim> const& p = scene.particles;
+    for (std::size_t i = 0; i < n_; ++i) {
+      double* const record = records_.data() + i * stride_;
+      auto const put = [&](int slot, double value) {
+        if (slot >= 0) record[slot] = value;
+      };
+      auto const put_vector = [&](int slot, Vector<Dim> const& value) {
+        for (int k = 0; slot >= 0 && k < Dim; ++k) record[slot + k] = value[k];
+      };
+      put_vector(0, p.positions()[i]);
+      put(slots_.m, p.masses()[i]);
+      put(slots_.rho, p.scalar(Field::density)[i]);
+      put(slots_.per_rho, 1.0 / p.scalar(Field::density)[i]);
+      put(slots_.P, p.scalar(Field::pressure)[i]);
+      put(slots_.T, p.scalar(Field::temperature)[i]);
+      put(slots_.K, p.scalar(Field::conductivity)[i]);
+      put(slots_.c, p.scalar(Field::sound_speed)[i]);
+      if (slots_.h >= 0) put(slots_.h, p.smoothing_lengths()[i]);
+      put_vector(slots_.v, p.vector(Field::velocity)[i]);
+      put_vector(slots_.F, p.vector(Field::flux)[i]);
+    }
+    plan_.slots = slots_;
+    plan_.records = records_.data();
+    plan_.stride = stride_;
+    plan_.first = list.first.data();
+    plan_.neighbour = list.neighbour.data();
+    plan_.h = p.smoothing_length();
+    plan_.wrapping = !scene.domain.is_periodic() ? Wrapping::none
+                     : scene.domain.is_turned()  ? Wrapping::turned
+                                                 : Wrapping::along_axes;
+    for (int k = 0; k < Dim; ++k) {
+      auto const at = static_cast<std::size_t>(k);
+      for (int n = 0; n < Dim; ++n)
+        plan_.axes[at * Dim + static_cast<std::size_t>(n)] = scene.domain.axes(n, k);
+      if (!scene.domain.periodic[at]) continue;
+      plan_.period[at] = scene.domain.extent()[k];
+      plan_.inverse_period[at] = 1.0 / plan_.period[at];
+    }
+    plan_.wants_separation = true;
+    plan_.wants_radial = true;
+  }
+
+  /// @param fused null for the general loop, which takes most_terms at a time
+  Sums rows(SweepKernels const& kernels, std::vector<Term> const& terms, FusedSweep const* fused = nullptr) {
+    Sums sums = room_for(terms, n_);
+    Aligned scratch(scratch_size(stride_));
+    for (std::size_t first = 0; first < terms.size(); first += most_terms) {
+      std::vector<RowTerm> row_terms;
+      for (std::size_t t = first; t < std::min(first + most_terms, terms.size()); ++t) {
+        RowTerm& term =
+            row_terms.emplace_back(RowTerm{terms[t].sum, terms[t].parameters, terms[t].components, {}});
+        for (std::size_t k = 0; k < sums[t].size(); ++k) term.outputs[k] = sums[t][k].data();
+      }
+      plan_.terms = row_terms.data();
+      plan_.term_count = row_terms.size();
+      // In two parts, as threads do.
+      for (auto const& [begin, end] : {std::pair{std::size_t{0}, n_ / 3}, std::pair{n_ / 3, n_}}) {
+        fused ? fused->rows(plan_, begin, end) : kernels.rows(plan_, begin, end, scratch.data());
+      }
+    }
+    return sums;
+  }
+
+  std::vector<double> conductances(SweepKernels const& kernels, std::size_t scheme) {
+    std::vector<double> all(list_.pairs());
+    Aligned scratch(scratch_size(stride_));
+    kernels.conductances(plan_, kernels.conductance[scheme], 0, n_, scratch.data(), all.data());
+    return all;
+  }
+
+ private:
+  RecordSlots slots_;
+  std::size_t stride_, n_;
+  NeighbourList const& list_;
+  Aligned records_;
+  SweepPlan plan_{};
+};
+
+#if defined(__x86_64__)
+bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
+#else
+bool has_avx2() { return false; }
+#endif
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(baseline_is_its_dense_sum_too, D, Dimensions) {
+  constexpr int Dim = D::value;
+  RandomScene<Dim> const scene = in_box<Dim>(21, 150, Box::turned);
+  NeighbourList const list = list_of(scene);
+  std::vector<Term> const terms = all_terms<Dim>();
+  SweepKernels const& baseline = baseline_kernels[Dim - 1];
+  Sums const found =
+      HandmadeSweep<Dim>(scene, list, union_of(terms)).rows(baseline, all_terms<Dim>(baseline));
+  DenseSums<Dim> const dense_sums(scene);
+  for (std::size_t t = 0; t < terms.size(); ++t) {
+    BOOST_TEST(relative_difference(flat(found[t]), flat(dense_sums.of(terms[t]))) < round_off, terms[t].name);
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(the_best_instructions_of_the_processor_are_chosen, D, Dimensions) {
+  constexpr int Dim = D::value;
+  BOOST_TEST(std::string(sweep_kernels<Dim>().instruction_set) == (has_avx2() ? "avx2" : "baseline"));
+}
+
+#if defined(__x86_64__)
+BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions) {
+  if (!has_avx2()) return;
+  constexpr int Dim = D::value;
+  SweepKernels const& baseline = baseline_kernels[Dim - 1];
+  SweepKernels const& avx2 = avx2_kernels[Dim - 1];
+  std::vector<RandomScene<Dim>> scenes{clusters<Dim>(22)};
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) scenes.push_back(in_box<Dim>(22, 150, box));
+  scenes.push_back(scenes.back());
+  Random random(23);
+  vary_lengths(scenes.back().particles, random);
+  for (RandomScene<Dim> const& scene : scenes) {
+    NeighbourList const list = list_of(scene);
+    std::vector<Term> const terms = all_terms<Dim>(baseline);
+    std::vector<Term> const same_terms = all_terms<Dim>(avx2);
+    HandmadeSweep<Dim> sweep(scene, list, union_of(terms));
+    Sums const one = sweep.rows(baseline, terms);
+    Sums const other = sweep.rows(avx2, same_terms);
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+      BOOST_TEST(relative_difference(flat(other[t]), flat(one[t])) < round_off, terms[t].name);
+    }
+    bool const has_fused = scene.particles.smoothing_lengths().empty() && !scene.domain.is_turned();
+    for (std::size_t f = 0; has_fused && f < most_fused; ++f) {
+      std::vector<Term> const company = terms_of(baseline.fused[f], terms);
+      std::vector<Term> const same_company = terms_of(avx2.fused[f], same_terms);
+      BOOST_TEST_REQUIRE(company.size() == same_company.size());
+      if (company.empty()) continue;
+      HandmadeSweep<Dim> made_for_it(scene, list, union_of(company));
+      Sums const first = made_for_it.rows(baseline, company, &baseline.fused[f]);
+      Sums const second = made_for_it.rows(avx2, same_company, &avx2.fused[f]);
+      Sums const general = made_for_it.rows(baseline, company);
+      for (std::size_t t = 0; t < company.size(); ++t) {
+        BOOST_TEST(company[t].name == same_company[t].name);
+        BOOST_TEST(relative_difference(flat(second[t]), flat(first[t])) < round_off, company[t].name);
+        BOOST_TEST(relative_difference(flat(general[t]), flat(first[t])) < round_off, company[t].name);
+      }
+    }
+    std::size_t linear = 0;
+    for (std::size_t s = 0; scene.particles.smoothing_lengths().empty() && s < all_scheme_infos().size();
+         ++s) {
+      BOOST_TEST((baseline.conductance[s] != nullptr) == all_scheme_infos()[s]->difference_form);
+      if (!baseline.conductance[s]) continue;
+      ++linear;
+      std::vector<double> const c = sweep.conductances(baseline, s);
+      BOOST_TEST(relative_difference(sweep.conductances(avx2, s), c) < round_off);
+      std::size_t const n = scene.particles.size();
+      std::vector<double> first(n), second(n);
+      double const* const T = scene.particles.scalar(Field::temperature).data();
+      baseline.conduct(list.first.data(), list.neighbour.data(), c.data(), T, 0, n, first.data());
+      avx2.conduct(list.first.data(), list.neighbour.data(), c.data(), T, 0, n, second.data());
+      BOOST_TEST(relative_difference(second, first) < round_off);
+    }
+    BOOST_TEST((linear > 0u || !scene.particles.smoothing_lengths().empty()));
+  }
+}
+#endif
+
+BOOST_AUTO_TEST_SUITE_END()

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <cstdio>
 #include <string>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "formulations/all.hpp"
 #include "formulations/density/continuity.hpp"
@@ -37,11 +39,11 @@ constexpr std::size_t index_in(std::tuple<Schemes...> const*) {
 }
 
 template <class Scheme, int Dim>
-RowFunction pair_sum() {
+RowFunction pair_sum(std::size_t pass) {
   if constexpr (std::is_same_v<Scheme, ContinuityDensity>) {
     return sweep_kernels<Dim>().continuity;
   } else {
-    return sweep_kernels<Dim>().rate[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))];
+    return sweep_kernels<Dim>().schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))].passes[pass];
   }
 }
 
@@ -49,67 +51,55 @@ template <class Scheme, int Dim>
 class SchemeOperator final : public RateOperator<Dim> {
  public:
   using Value = std::conditional_t<Scheme::info.rate == Rate::acceleration, Vector<Dim>, double>;
+  static constexpr std::size_t last = std::tuple_size_v<AllPasses<Scheme>> - 1;
+  template <std::size_t n>
+  using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
 
   SchemeInfo const& info() const override { return Scheme::info; }
 
   void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
                   double time, int threads, PairSweep<Dim>& sweep) override {
-    constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
-    if constexpr (Scheme::info.two_pass) {
-      if (pass == 0) {
-        fill(particles, geometry, {BoundaryValue::temperature}, closure, time);
-        RowFunction const sum =
-            sweep_kernels<Dim>().flux[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))];
-        sweep.add(sum, reads(), Scheme::info.kernel, particles.vector(Field::flux));
-        return;
-      }
-      fill(particles, geometry, flux_only, closure, time);
-      sweep.add(pair_sum<Scheme, Dim>(), reads() | FieldSet{Field::flux}, Scheme::info.kernel,
-                output(particles));
-    } else {
+    with_pass(pass, [&]<std::size_t n>() {
       for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-        bool const takes_flux = Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) &&
-                                geometry.contacts[w].prescribes_flux_only;
         fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
-                             takes_flux ? flux_only : Scheme::info.boundary, closure, time);
+                             wall_values<n>(geometry.contacts[w]), closure, time);
       }
-      check(particles, geometry);
-      if constexpr (Scheme::info.difference_form) {
-        if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
+      if constexpr (n == last) {
+        check(particles, geometry);
+        if constexpr (Scheme::info.difference_form) {
+          if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
+        }
       }
-      sweep.add(pair_sum<Scheme, Dim>(), reads(), Scheme::info.kernel, output(particles));
-    }
+      sweep.add(pair_sum<Scheme, Dim>(n), reads_of_pass<Scheme, n>(), Pass<n>::info.kernel,
+                output<Pass<n>>(particles));
+    });
   }
 
   void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& geometry,
                 WorkCount& work) override {
     work.pair_interactions += geometry.neighbours.pairs();
     for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
-    if constexpr (Scheme::info.two_pass) {
-      if (pass == 0) {
+    with_pass(pass, [&]<std::size_t n>() {
+      if constexpr (n == last) {
+        wall_terms_.clear();
+        exchanged_.clear();
         for (auto const& contacts : geometry.contacts) {
-          sweep_wall<Vector<Dim>>(contacts, particles, particles.vector(Field::flux),
-                                  [](auto const& i, auto const& B) { return Scheme::flux_wall(i, B); });
+          wall_terms_.push_back(add_wall<n>(contacts, particles));
+          exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
         }
-        return;
+      } else {
+        for (auto const& contacts : geometry.contacts) add_wall<n>(contacts, particles);
+        finish<n>(particles);
       }
-    }
-    wall_terms_.clear();
-    exchanged_.clear();
-    for (auto const& contacts : geometry.contacts) {
-      wall_terms_.push_back(
-          sweep_wall<Value>(contacts, particles, output(particles),
-                            [](auto const& i, auto const& B) { return Scheme::wall(i, B); }));
-      exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
-    }
+    });
   }
 
   void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) override {
     if constexpr (Scheme::info.difference_form) {
       PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
       auto const of_row =
-          sweep_kernels<Dim>().conductance[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))];
-      conductance_ = sweep.conductances(of_row, reads(), particles);
+          sweep_kernels<Dim>().schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))].conductance;
+      conductance_ = sweep.conductances(of_row, reads_of_pass<Scheme, last>(), particles);
     }
   }
 
@@ -135,11 +125,59 @@ class SchemeOperator final : public RateOperator<Dim> {
   }
 
  private:
+  /// Calls act.operator()<n>() for the pass of that number.
+  template <class Act>
+  static void with_pass(int pass, Act const& act) {
+    [&]<std::size_t... n>(std::index_sequence<n...>) {
+      ((static_cast<int>(n) == pass ? act.template operator()<n>() : void()), ...);
+    }(std::make_index_sequence<last + 1>());
+  }
+
+  template <class APass>
   static auto& output(Particles<Dim>& particles) {
-    if constexpr (std::is_same_v<Value, double>)
-      return particles.scalar(output_field(Scheme::info.rate));
+    if constexpr (sphverify::info(output_of<APass>()).is_vector)
+      return particles.vector(output_of<APass>());
     else
-      return particles.vector(output_field(Scheme::info.rate));
+      return particles.scalar(output_of<APass>());
+  }
+
+  template <std::size_t n>
+  static BoundaryValueSet wall_values(WallContacts<Dim> const& contacts) {
+    if constexpr (n == last) {
+      constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
+      if (Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) && contacts.prescribes_flux_only)
+        return flux_only;
+    }
+    return Pass<n>::info.boundary;
+  }
+
+  template <std::size_t n>
+  static auto add_wall(WallContacts<Dim> const& contacts, Particles<Dim>& particles) {
+    using Term = std::conditional_t<sphverify::info(output_of<Pass<n>>()).is_vector, Vector<Dim>, double>;
+    constexpr BoundaryValueSet of_wall = [] {
+      if constexpr (n == last) return Scheme::info.boundary | Scheme::info.boundary_if_prescribed;
+      return Pass<n>::info.boundary;
+    }();
+    return sweep_wall<Term, reads_of_pass<Scheme, n>(), of_wall>(
+        contacts, particles, output<Pass<n>>(particles),
+        [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); });
+  }
+
+  /// Makes of a pass's sums what it writes.
+  template <std::size_t n>
+  static void finish(Particles<Dim>& particles) {
+    FieldPointers<Dim> const fields(particles);
+    auto& out = output<Pass<n>>(particles);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      ParticleView<Dim, reads_of_pass<Scheme, n>()> const own(fields, i);
+      if constexpr (!requires { Pass<n>::finish(own, out[i]); }) {
+        return;
+      } else if constexpr (sphverify::info(output_of<Pass<n>>()).is_vector) {
+        out.set(i, Pass<n>::finish(own, out[i]));
+      } else {
+        out[i] = Pass<n>::finish(own, out[i]);
+      }
+    }
   }
 
   /// sum_i m_i term_i: what the wall gives to the particles, per time.
@@ -150,15 +188,6 @@ class SchemeOperator final : public RateOperator<Dim> {
     for (std::size_t c = 0; c < terms.size(); ++c) sum += particles.masses()[contacts.particle[c]] * terms[c];
     return sum;
   }
-
-  static void fill(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, BoundaryValueSet wanted,
-                   Closure closure, double time) {
-    for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, wanted, closure, time);
-    }
-  }
-
-  static constexpr FieldSet reads() { return Scheme::info.reads | FieldSet{Field::mass}; }
 
   void conduct(Particles<Dim>& particles, NeighbourList const& neighbours, int threads) const {
     double const* const temperature = particles.scalar(Field::temperature).data();

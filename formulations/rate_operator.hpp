@@ -26,8 +26,7 @@ struct WorkCount {
 };
 
 /// One scheme in one dimension behind a common face; the identifier is resolved once, the pair loop is
-/// compiled for the scheme. Reads `info().reads`, writes the field of its rate (and `flux`, if it has two
-/// passes).
+/// compiled for the scheme. Reads `info().reads`, writes the fields of its passes and of its rate.
 template <int Dim>
 class RateOperator {
  public:
@@ -42,7 +41,7 @@ class RateOperator {
 
   /// The parts of `evaluate`, for sweeps that several operators share: for every pass, `begin_pass` of all of
   /// them, the sweep, `end_pass` of all of them.
-  int passes() const { return info().two_pass ? 2 : 1; }
+  int passes() const { return pass_count(info()); }
   /// Fills the boundary values and adds the pass's term.
   /// Throws UndefinedRate.
   virtual void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
@@ -64,20 +63,6 @@ class RateOperator {
   /// The wall's part of an acceleration in the last evaluation, per wall and contact.
   virtual std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const = 0;
 };
-
-/// The field that a rate is written to.
-constexpr Field output_field(Rate rate) {
-  return rate == Rate::acceleration ? Field::acceleration
-         : rate == Rate::density    ? Field::density_rate
-                                    : Field::heating;
-}
-
-/// All fields that a scheme needs allocated.
-constexpr FieldSet needed_fields(SchemeInfo const& scheme) {
-  FieldSet fields = scheme.reads | FieldSet{output_field(scheme.rate)};
-  if (scheme.two_pass) fields.insert(Field::flux);
-  return fields;
-}
 
 /// Descriptions of all schemes, in the order of the list.
 std::vector<SchemeInfo const*> const& all_scheme_infos();

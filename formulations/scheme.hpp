@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <concepts>
+#include <initializer_list>
 #include <string_view>
+#include <tuple>
 
 #include "formulations/particles/field.hpp"
 #include "formulations/basics/flag_set.hpp"
@@ -24,6 +28,46 @@ enum class KernelWeight {
 };
 using KernelWeightSet = FlagSet<KernelWeight>;
 
+/// The field that a rate is written to.
+constexpr Field output_field(Rate rate) {
+  return rate == Rate::acceleration ? Field::acceleration
+         : rate == Rate::density    ? Field::density_rate
+                                    : Field::heating;
+}
+
+/// A pass over all pairs and walls before that of the rate: what it computes for every particle, and from what.
+struct PassInfo {
+  std::string_view name;    ///< as records name what ran
+  Field writes;             ///< a number or a vector
+  FieldSet reads;           ///< besides position, mass and what passes before it have written
+  KernelWeightSet kernel;   ///< what it reads of the kernel at a pair
+  BoundaryValueSet boundary = {};  ///< what it reads at a wall, prescribed or closed
+};
+
+/// The passes before that of the rate, in their order.
+class FirstPasses {
+ public:
+  static constexpr std::size_t most = 3;
+
+  constexpr FirstPasses() = default;
+  constexpr FirstPasses(std::initializer_list<PassInfo> passes) {
+    for (PassInfo const& pass : passes) passes_[size_++] = pass;
+  }
+  constexpr PassInfo const* begin() const { return passes_.data(); }
+  constexpr PassInfo const* end() const { return passes_.data() + size_; }
+  constexpr std::size_t size() const { return size_; }
+  constexpr bool empty() const { return size_ == 0; }
+  constexpr FieldSet writes() const {
+    FieldSet written;
+    for (PassInfo const& pass : *this) written.insert(pass.writes);
+    return written;
+  }
+
+ private:
+  std::array<PassInfo, most> passes_{};
+  std::size_t size_ = 0;
+};
+
 enum class Invariant { momentum, energy };
 using InvariantSet = FlagSet<Invariant>;
 
@@ -36,17 +80,87 @@ struct SchemeInfo {
   std::string_view equation;  ///< in plain text, one line per pass
   std::string_view remarks;   ///< limits, and what is known of its behaviour
   Rate rate;
-  FieldSet reads;             ///< besides position and mass
+  FieldSet reads;             ///< besides position, mass and what its first passes write
   KernelWeightSet kernel;     ///< what it reads of the kernel at a pair
   BoundaryValueSet boundary;  ///< what it reads at a wall, prescribed or closed
   BoundaryValueSet boundary_if_prescribed =
       {};                              ///< what it reads instead at a wall that prescribes flux only
   InvariantSet conserves = {};         ///< to round-off between particles
   FieldSet non_negative = {};          ///< fields of which a negative value leaves the scheme undefined
-  bool two_pass = false;               ///< has a first pass, which computes the flux
+  FirstPasses first_passes = {};       ///< what is summed before the rate; `passes` has their code
   bool difference_form = false;        ///< its pair is a conductance, without T, times (T_i - T_j)
   std::string_view work_partner = {};  ///< of a momentum form: its default energy equation
   bool control = false;  ///< a yardstick beside the others: shown, never what a comparison recommends
 };
+
+/// How far a scheme sees: its own pass and those before it, each over the pairs within the support.
+constexpr int pass_count(SchemeInfo const& scheme) { return static_cast<int>(scheme.first_passes.size()) + 1; }
+
+/// All fields that a scheme reads and does not write itself.
+constexpr FieldSet fields_read(SchemeInfo const& scheme) {
+  FieldSet fields = scheme.reads;
+  for (PassInfo const& pass : scheme.first_passes) fields = fields | pass.reads;
+  return fields;
+}
+
+/// All that it reads at walls.
+constexpr BoundaryValueSet wall_values_read(SchemeInfo const& scheme) {
+  BoundaryValueSet values = scheme.boundary | scheme.boundary_if_prescribed;
+  for (PassInfo const& pass : scheme.first_passes) values = values | pass.boundary;
+  return values;
+}
+
+/// All fields that a scheme needs allocated.
+constexpr FieldSet needed_fields(SchemeInfo const& scheme) {
+  return fields_read(scheme) | scheme.first_passes.writes() | FieldSet{output_field(scheme.rate)};
+}
+
+/// The code of the passes before that of the rate. A pass is a struct with its `info`, what a neighbour adds, `pair(i, j, W)`,
+/// what a wall adds, `wall(i, B)`, and, if its sum is not what it writes yet, `finish(i, sum)`.
+template <class... Passes>
+using PassList = std::tuple<Passes...>;
+
+template <class Scheme>
+struct PassesOf {
+  using type = std::tuple<>;
+};
+template <class Scheme>
+  requires requires { typename Scheme::passes; }
+struct PassesOf<Scheme> {
+  using type = typename Scheme::passes;
+};
+
+/// What can be listed and swept as a scheme.
+template <class Type>
+concept IsScheme = requires {
+  { Type::info } -> std::convertible_to<SchemeInfo const&>;
+} && std::tuple_size_v<typename PassesOf<Type>::type> == Type::info.first_passes.size();
+
+/// All passes of a scheme; its own, which makes the rate, is the last.
+template <class Scheme>
+using AllPasses =
+    decltype(std::tuple_cat(std::declval<typename PassesOf<Scheme>::type>(), std::declval<std::tuple<Scheme>>()));
+
+template <class Pass>
+inline constexpr bool is_scheme = std::is_same_v<std::remove_cvref_t<decltype(Pass::info)>, SchemeInfo>;
+
+/// The field that a pass writes.
+template <class Pass>
+constexpr Field output_of() {
+  if constexpr (is_scheme<Pass>) {
+    return output_field(Pass::info.rate);
+  } else {
+    return Pass::info.writes;
+  }
+}
+
+/// What pass n of a scheme may read of a particle, besides its position.
+template <class Scheme, std::size_t n>
+constexpr FieldSet reads_of_pass() {
+  using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
+  FieldSet reads = Pass::info.reads | FieldSet{Field::mass};
+  for (std::size_t k = 0; k < n; ++k) reads.insert(Scheme::info.first_passes.begin()[k].writes);
+  return reads;
+}
 
 }  // namespace sphverify

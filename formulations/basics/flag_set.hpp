@@ -5,7 +5,7 @@
 
 namespace sphverify {
 
-/// A small set over the values of an enumeration, usable in constant expressions.
+/// A small set over the values of an enumeration, usable in constant expressions and as a template argument.
 template <class Enum>
 class FlagSet {
  public:
@@ -14,18 +14,18 @@ class FlagSet {
     for (Enum const flag : flags) insert(flag);
   }
 
-  constexpr void insert(Enum flag) { bits_ |= bit(flag); }
-  constexpr bool contains(Enum flag) const { return (bits_ & bit(flag)) != 0; }
-  constexpr bool contains(FlagSet other) const { return (bits_ & other.bits_) == other.bits_; }
-  constexpr bool empty() const { return bits_ == 0; }
-  constexpr FlagSet operator|(FlagSet other) const { return FlagSet(bits_ | other.bits_); }
+  constexpr void insert(Enum flag) { bits |= bit(flag); }
+  constexpr bool contains(Enum flag) const { return (bits & bit(flag)) != 0; }
+  constexpr bool contains(FlagSet other) const { return (bits & other.bits) == other.bits; }
+  constexpr bool empty() const { return bits == 0; }
+  constexpr FlagSet operator|(FlagSet other) const { return FlagSet(bits | other.bits); }
   constexpr bool operator==(FlagSet const&) const = default;
 
- private:
-  constexpr explicit FlagSet(std::uint32_t bits) : bits_(bits) {}
-  static constexpr std::uint32_t bit(Enum flag) { return std::uint32_t{1} << static_cast<unsigned>(flag); }
+  std::uint32_t bits = 0;  ///< public, since template arguments have no secrets
 
-  std::uint32_t bits_ = 0;
+ private:
+  constexpr explicit FlagSet(std::uint32_t all) : bits(all) {}
+  static constexpr std::uint32_t bit(Enum flag) { return std::uint32_t{1} << static_cast<unsigned>(flag); }
 };
 
 }  // namespace sphverify

@@ -13,6 +13,22 @@ namespace sphverify {
 ///
 /// Flux in W/m^2, heating in W/kg. Conserves energy to round-off between particles.
 struct CampbellFlux {
+  struct Flux {
+    static constexpr PassInfo info{.name = "flux",
+                                   .writes = Field::flux,
+                                   .reads = {Field::density, Field::temperature, Field::conductivity},
+                                   .kernel = {KernelWeight::gradient},
+                                   .boundary = {BoundaryValue::temperature}};
+
+    static auto pair(auto const& i, auto const& j, auto const& W) {
+      return (j.m() * (j.T() / square(j.rho()) + i.T() / square(i.rho())) * W.gradient()).eval();
+    }
+    static auto wall(auto const& i, auto const& B) {
+      return ((B.T() / square(B.rho()) + i.T() / square(i.rho())) * B.rho() * B.S()).eval();
+    }
+    static auto finish(auto const& i, auto const& sum) { return (-i.K() * i.rho() * sum).eval(); }
+  };
+
   static constexpr SchemeInfo info{
       .id = "conduction/campbell-flux",
       .title = "Campbell's two-pass form, symmetrised as T/rho^2 and F/rho^2",
@@ -25,18 +41,12 @@ struct CampbellFlux {
                  "that is alone within reach the flux jumps by -K_i rho_i T_B n/(2 m), n the outward normal, and "
                  "where the wall prescribes a flux the heating by -F_B.n/(2 m).",
       .rate = Rate::conduction_heating,
-      .reads = {Field::density, Field::temperature, Field::conductivity},
+      .reads = {Field::density},
       .kernel = {KernelWeight::gradient},
-      .boundary = {BoundaryValue::temperature, BoundaryValue::flux},
+      .boundary = {BoundaryValue::flux},
       .conserves = {Invariant::energy},
-      .two_pass = true};
-
-  static auto flux_pair(auto const& i, auto const& j, auto const& W) {
-    return (-i.K() * i.rho() * j.m() * (j.T() / square(j.rho()) + i.T() / square(i.rho())) * W.gradient()).eval();
-  }
-  static auto flux_wall(auto const& i, auto const& B) {
-    return (-i.K() * i.rho() * (B.T() / square(B.rho()) + i.T() / square(i.rho())) * B.rho() * B.S()).eval();
-  }
+      .first_passes = {Flux::info}};
+  using passes = PassList<Flux>;
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return -j.m() * (j.F() / square(j.rho()) + i.F() / square(i.rho())).dot(W.gradient());

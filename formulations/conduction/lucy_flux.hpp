@@ -12,6 +12,20 @@ namespace sphverify {
 ///
 /// Conserves nothing. With `walls: off` it is Lucy's original, Eq. 51.
 struct LucyFlux {
+  struct Flux {
+    static constexpr PassInfo info{.name = "flux",
+                                   .writes = Field::flux,
+                                   .reads = {Field::density, Field::temperature, Field::conductivity},
+                                   .kernel = {KernelWeight::gradient},
+                                   .boundary = {BoundaryValue::temperature}};
+
+    static auto pair(auto const&, auto const& j, auto const& W) {
+      return ((j.m() / j.rho()) * j.T() * W.gradient()).eval();
+    }
+    static auto wall(auto const&, auto const& B) { return (B.T() * B.S()).eval(); }
+    static auto finish(auto const& i, auto const& sum) { return (-i.K() * sum).eval(); }
+  };
+
   static constexpr SchemeInfo info{
       .id = "conduction/lucy-flux",
       .title = "Lucy's two-pass form with wall terms",
@@ -20,15 +34,11 @@ struct LucyFlux {
                   "de_i/dt = -(1/rho_i) [ sum_j (m_j/rho_j) F_j.grad_i W_ij + F_B.S_i ]",
       .remarks = "Not conservative: half of a wall's heat enters through its wall term, half as an imbalance of the pairs near it.",
       .rate = Rate::conduction_heating,
-      .reads = {Field::density, Field::temperature, Field::conductivity},
+      .reads = {Field::density},
       .kernel = {KernelWeight::gradient},
-      .boundary = {BoundaryValue::temperature, BoundaryValue::flux},
-      .two_pass = true};
-
-  static auto flux_pair(auto const& i, auto const& j, auto const& W) {
-    return (-i.K() * (j.m() / j.rho()) * j.T() * W.gradient()).eval();
-  }
-  static auto flux_wall(auto const& i, auto const& B) { return (-i.K() * B.T() * B.S()).eval(); }
+      .boundary = {BoundaryValue::flux},
+      .first_passes = {Flux::info}};
+  using passes = PassList<Flux>;
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return -(j.m() / j.rho()) * j.F().dot(W.gradient()) / i.rho();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <tuple>
+#include <utility>
 
 #include "formulations/all.hpp"
 #include "formulations/sweep/terms.hpp"
@@ -12,19 +13,21 @@ namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 /// A term's sum over a row that has been copied.
 template <class Term, int Dim>
 void sum_row(Row const& row, void const* parameters, double* out) {
-  View<Dim, ReadOwn> const i(row.slots, ReadOwn{row.own});
+  View<Dim, Term::reads, ReadOwn> const i(row.slots, ReadOwn{row.own});
   Term term(parameters);
   for (std::size_t k = 0; k < row.count; k += Pack::size) {
-    term.add(i, View<Dim, ReadColumns>(row.slots, ReadColumns{row.columns + k}), KernelColumns<Dim>(row, k));
+    View<Dim, Term::reads, ReadColumns> const j(row.slots, ReadColumns{row.columns + k});
+    term.add(i, j, KernelColumns<Dim>(row, k));
   }
   term.write(row.h, out);
 }
 
 template <class Scheme, int Dim>
 void conductance_of_row(Row const& row, double* out) {
-  View<Dim, ReadOwn> const i(row.slots, ReadOwn{row.own});
+  constexpr FieldSet reads = RateTerm<Scheme, Dim>::reads;
+  View<Dim, reads, ReadOwn> const i(row.slots, ReadOwn{row.own});
   for (std::size_t k = 0; k < row.count; k += Pack::size) {
-    View<Dim, ReadColumns> const j(row.slots, ReadColumns{row.columns + k});
+    View<Dim, reads, ReadColumns> const j(row.slots, ReadColumns{row.columns + k});
     Scheme::conductance(i, j, KernelColumns<Dim>(row, k)).store(out + k);
   }
 }
@@ -70,10 +73,11 @@ SPHVERIFY_INLINE void wrap(SweepPlan const& plan, PackVector<Dim>& separation) {
 }
 
 /// Puts the last `idle` lanes out of reach.
+template <class Kernel>
 SPHVERIFY_INLINE Pack mask_idle(Pack squared, std::size_t idle, Pack h) {
   if (idle == 0) return squared;
   Pack const lane{Pack::Lanes{0.0, 1.0, 2.0, 3.0}};
-  return select(lane < Pack(static_cast<double>(Pack::size - idle)), squared, Pack(16.0) * h * h);
+  return select(lane < Pack(static_cast<double>(Pack::size - idle)), squared, Pack(4.0 * Kernel::support_ratio * Kernel::support_ratio) * h * h);
 }
 
 /// Calls block(indices of four neighbours, number of the first, idle lanes) along a list. Lanes that are left
@@ -97,30 +101,36 @@ inline constexpr bool divides = requires {
   Term::has_divisor;
 };
 
-/// Terms one after the other; what std::tuple would be, were its calls sure to be inlined.
-template <class... Terms>
+/// Terms one after the other; what std::tuple would be, were its calls sure to be inlined. Each sees of the particles i and
+/// j what it reads.
+template <int Dim, class... Terms>
 struct TermList {
   SPHVERIFY_INLINE explicit TermList(RowTerm const*) {}
-  SPHVERIFY_INLINE void add(auto const&, auto const&, auto const&) {}
-  SPHVERIFY_INLINE static Pack divisor(auto const&, auto const&, auto const&) { return 1.0; }
+  SPHVERIFY_INLINE void add(RecordSlots const&, ReadOwn, ReadRegisters, KernelRegisters<Dim> const&) {}
+  SPHVERIFY_INLINE static Pack divisor(RecordSlots const&, ReadOwn, ReadRegisters, KernelRegisters<Dim> const&) {
+    return 1.0;
+  }
   SPHVERIFY_INLINE void write(RowTerm const*, double, std::size_t) const {}
 };
-template <class First, class... Rest>
-struct TermList<First, Rest...> {
+template <int Dim, class First, class... Rest>
+struct TermList<Dim, First, Rest...> {
+  using Own = View<Dim, First::reads, ReadOwn>;
+  using Other = View<Dim, First::reads, ReadRegisters>;
   First first;
-  TermList<Rest...> rest;
+  TermList<Dim, Rest...> rest;
 
   SPHVERIFY_INLINE explicit TermList(RowTerm const* terms) : first(terms->parameters), rest(terms + 1) {}
-  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
-    first.add(i, j, W);
-    rest.add(i, j, W);
+  SPHVERIFY_INLINE void add(RecordSlots const& slots, ReadOwn i, ReadRegisters j, KernelRegisters<Dim> const& W) {
+    first.add(Own(slots, i), Other(slots, j), W);
+    rest.add(slots, i, j, W);
   }
   /// Of the one term that has one.
-  SPHVERIFY_INLINE static Pack divisor(auto const& i, auto const& j, auto const& W) {
+  SPHVERIFY_INLINE static Pack divisor(RecordSlots const& slots, ReadOwn i, ReadRegisters j,
+                                       KernelRegisters<Dim> const& W) {
     if constexpr (divides<First>) {
-      return First::divisor(i, j, W);
+      return First::divisor(Own(slots, i), Other(slots, j), W);
     } else {
-      return TermList<Rest...>::divisor(i, j, W);
+      return TermList<Dim, Rest...>::divisor(slots, i, j, W);
     }
   }
   SPHVERIFY_INLINE void write(RowTerm const* terms, double h, std::size_t i) const {
@@ -139,19 +149,18 @@ inline constexpr bool reads_state_velocity = requires {
 };
 
 /// A sweep whose terms are known when it is compiled.
-template <int Dim, Wrapping wrapping, bool drifts, class... Terms>
+template <int Dim, class Kernel, Wrapping wrapping, bool drifts, class... Terms>
 void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
   static_assert((0 + ... + static_cast<int>(divides<Terms>)) <= 1, "only one divisor is shared");
   constexpr RecordSlots slots = record_slots((Terms::reads | ...), Dim, false, drifts);
   constexpr std::size_t stride = slots.stride();
   double const h = plan.h;
   double const per_h = 1.0 / h;
-  Pack const scale = Pack(CubicSpline<Dim>::sigma) * integer_power<Dim + 2>(Pack(per_h));
+  Pack const scale = Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(per_h));
   double const* const records = plan.records;
   for (std::size_t i = begin; i < end; ++i) {
-    TermList<Terms...> terms(plan.terms);
+    TermList<Dim, Terms...> terms(plan.terms);
     double const* const own = records + i * stride;
-    View<Dim, ReadOwn> const self(slots, ReadOwn{own});
     for_each_four(
         plan.neighbour + plan.first[i], plan.first[i + 1] - plan.first[i],
         [&](std::uint32_t const* four, std::size_t, std::size_t idle) SPHVERIFY_FORCE_INLINE {
@@ -168,50 +177,49 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
           for (std::size_t n = 0; n < Dim; ++n) W.r.component[n] = Pack(own[n]) - columns[n];
           wrap<Dim, wrapping>(plan, W.r);
           W.common_h = h;
-          W.squared = mask_idle(W.r.squaredNorm(), idle, h);
+          W.squared = mask_idle<Kernel>(W.r.squaredNorm(), idle, h);
           W.length = sqrt(W.squared);
-          View<Dim, ReadRegisters> const neighbours(slots, ReadRegisters{columns});
           if constexpr ((Terms::wants_radial || ...)) {
             // One division for the kernel's slope and for what a term divides by.
             Pack const q = W.length * Pack(per_h);
-            Pack const divisor = TermList<Terms...>::divisor(self, neighbours, W);
+            Pack const divisor = TermList<Dim, Terms...>::divisor(slots, ReadOwn{own}, ReadRegisters{columns}, W);
             Pack const quotient = Pack(1.0) / (q * divisor);
-            W.slope = scale * CubicSpline<Dim>::slope_shape(q, quotient * divisor);
+            W.slope = scale * Kernel::slope_shape(q, quotient * divisor);
             W.inverse = quotient * q;
           }
-          terms.add(self, neighbours, W);
+          terms.add(slots, ReadOwn{own}, ReadRegisters{columns}, W);
         });
     terms.write(plan.terms, h, i);
   }
 }
 
-template <int Dim, bool drifts, class... Terms>
+template <int Dim, class Kernel, bool drifts, class... Terms>
 void fused_rows_where(SweepPlan const& plan, std::size_t begin, std::size_t end) {
   plan.wrapping == Wrapping::none
-      ? fused_rows_in<Dim, Wrapping::none, drifts, Terms...>(plan, begin, end)
-      : fused_rows_in<Dim, Wrapping::along_axes, drifts, Terms...>(plan, begin, end);
+      ? fused_rows_in<Dim, Kernel, Wrapping::none, drifts, Terms...>(plan, begin, end)
+      : fused_rows_in<Dim, Kernel, Wrapping::along_axes, drifts, Terms...>(plan, begin, end);
 }
 
-template <int Dim, class... Terms>
+template <int Dim, class Kernel, class... Terms>
 void fused_rows(SweepPlan const& plan, std::size_t begin, std::size_t end) {
   if constexpr ((reads_state_velocity<Terms> || ...)) {
-    if (plan.slots.u != plan.slots.v) return fused_rows_where<Dim, true, Terms...>(plan, begin, end);
+    if (plan.slots.u != plan.slots.v) return fused_rows_where<Dim, Kernel, true, Terms...>(plan, begin, end);
   }
-  fused_rows_where<Dim, false, Terms...>(plan, begin, end);
+  fused_rows_where<Dim, Kernel, false, Terms...>(plan, begin, end);
 }
 
-template <int Dim, class... Terms>
+template <int Dim, class Kernel, class... Terms>
 constexpr FusedSweep fused() {
   return {.terms = {sum_row<Terms, Dim>...},
           .reads = (Terms::reads | ...),
           .reads_state_velocity = (reads_state_velocity<Terms> || ...),
-          .rows = fused_rows<Dim, Terms...>};
+          .rows = fused_rows<Dim, Kernel, Terms...>};
 }
 
 /// Copies the records of a row's neighbours side by side, with their distances and kernel slopes.
 /// @tparam own_lengths whether every particle has its own smoothing length
 /// @tparam groups doubles per record over four, or 0 to take the plan's
-template <int Dim, Wrapping wrapping, bool own_lengths, std::size_t groups>
+template <int Dim, class Kernel, Wrapping wrapping, bool own_lengths, std::size_t groups>
 class Gatherer {
  public:
   Gatherer(SweepPlan const& plan, double* scratch)
@@ -221,7 +229,7 @@ class Gatherer {
         radial_(distance_ + part_size),
         h_(plan.h),
         per_h_(1.0 / plan.h),
-        scale_((Pack(CubicSpline<Dim>::sigma) * integer_power<Dim + 2>(Pack(1.0 / plan.h))).lanes[0]),
+        scale_((Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(1.0 / plan.h))).lanes[0]),
         wants_separation_(plan.wants_separation),
         wants_radial_(plan.wants_radial) {}
 
@@ -267,12 +275,12 @@ class Gatherer {
           (Pack(own[plan_.slots.h]) + Pack::load(to + static_cast<std::size_t>(plan_.slots.h) * part_size));
       per_h = Pack(1.0) / h;
     }
-    Pack const r = sqrt(mask_idle(separation.squaredNorm(), idle, h));
+    Pack const r = sqrt(mask_idle<Kernel>(separation.squaredNorm(), idle, h));
     r.store(distance_ + k);
     if (!wants_radial_) return;
     Pack scale = scale_;
-    if constexpr (own_lengths) scale = Pack(CubicSpline<Dim>::sigma) * integer_power<Dim + 2>(per_h);
-    (scale * CubicSpline<Dim>::slope_shape(r * per_h)).store(radial_ + k);
+    if constexpr (own_lengths) scale = Pack(Kernel::sigma) * integer_power<Dim + 2>(per_h);
+    (scale * Kernel::slope_shape(r * per_h)).store(radial_ + k);
   }
 
   SweepPlan const& plan_;
@@ -307,40 +315,40 @@ struct SumTerms {
 };
 
 /// Takes the gatherer that suits a plan; common plans have one of their own, in which all sizes are known.
-template <int Dim, class Work, Wrapping wrapping, bool own_lengths, class... Rest>
+template <int Dim, class Kernel, class Work, Wrapping wrapping, bool own_lengths, class... Rest>
 SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
   if constexpr (wrapping != Wrapping::turned) {
-    if (plan.stride == 4) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 1>>(plan, rest...);
-    if (plan.stride == 8) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 2>>(plan, rest...);
-    if (plan.stride == 12) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 3>>(plan, rest...);
-    if (plan.stride == 16) return Work::template run<Gatherer<Dim, wrapping, own_lengths, 4>>(plan, rest...);
+    if (plan.stride == 4) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 1>>(plan, rest...);
+    if (plan.stride == 8) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 2>>(plan, rest...);
+    if (plan.stride == 12) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 3>>(plan, rest...);
+    if (plan.stride == 16) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 4>>(plan, rest...);
   }
-  Work::template run<Gatherer<Dim, wrapping, own_lengths, 0>>(plan, rest...);
+  Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 0>>(plan, rest...);
 }
-template <int Dim, class Work, Wrapping wrapping, class... Rest>
+template <int Dim, class Kernel, class Work, Wrapping wrapping, class... Rest>
 SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
-  if (plan.slots.h >= 0) return with_gatherer<Dim, Work, wrapping, true>(plan, rest...);
-  with_gatherer<Dim, Work, wrapping, false>(plan, rest...);
+  if (plan.slots.h >= 0) return with_gatherer<Dim, Kernel, Work, wrapping, true>(plan, rest...);
+  with_gatherer<Dim, Kernel, Work, wrapping, false>(plan, rest...);
 }
-template <int Dim, class Work, class... Rest>
+template <int Dim, class Kernel, class Work, class... Rest>
 SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
   switch (plan.wrapping) {
     case Wrapping::none:
-      return with_gatherer<Dim, Work, Wrapping::none>(plan, rest...);
+      return with_gatherer<Dim, Kernel, Work, Wrapping::none>(plan, rest...);
     case Wrapping::along_axes:
-      return with_gatherer<Dim, Work, Wrapping::along_axes>(plan, rest...);
+      return with_gatherer<Dim, Kernel, Work, Wrapping::along_axes>(plan, rest...);
     case Wrapping::turned:
-      return with_gatherer<Dim, Work, Wrapping::turned>(plan, rest...);
+      return with_gatherer<Dim, Kernel, Work, Wrapping::turned>(plan, rest...);
   }
 }
 
-template <int Dim>
+template <int Dim, class Kernel>
 void rows(SweepPlan const& plan, std::size_t begin, std::size_t end, double* scratch) {
-  with_gatherer<Dim, SumTerms<Dim>>(plan, begin, end, scratch);
+  with_gatherer<Dim, Kernel, SumTerms<Dim>>(plan, begin, end, scratch);
 }
 
 /// The conductances of the pairs of rows begin to end. Made once a scene: one gatherer serves all plans.
-template <int Dim>
+template <int Dim, class Kernel>
 void conductances(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
                   std::size_t end, double* scratch, double* out) {
   auto const run = [&](auto gatherer) {
@@ -356,11 +364,11 @@ void conductances(SweepPlan const& plan, void (*of_row)(Row const&, double*), st
   };
   switch (plan.wrapping) {
     case Wrapping::none:
-      return run(Gatherer<Dim, Wrapping::none, false, 0>(plan, scratch));
+      return run(Gatherer<Dim, Kernel, Wrapping::none, false, 0>(plan, scratch));
     case Wrapping::along_axes:
-      return run(Gatherer<Dim, Wrapping::along_axes, false, 0>(plan, scratch));
+      return run(Gatherer<Dim, Kernel, Wrapping::along_axes, false, 0>(plan, scratch));
     case Wrapping::turned:
-      return run(Gatherer<Dim, Wrapping::turned, false, 0>(plan, scratch));
+      return run(Gatherer<Dim, Kernel, Wrapping::turned, false, 0>(plan, scratch));
   }
 }
 
@@ -381,65 +389,59 @@ inline void conduct(std::size_t const* first, std::uint32_t const* neighbour, do
   }
 }
 
-/// What a scheme of the list offers beside its rate.
+/// The pairs of a scheme's passes, that of the rate last.
 template <class Scheme, int Dim>
-constexpr RowFunction flux_or_none() {
-  if constexpr (Scheme::info.two_pass) {
-    return sum_row<FluxTerm<Scheme, Dim>, Dim>;
-  } else {
-    return nullptr;
-  }
-}
-template <class Scheme, int Dim>
-constexpr auto conductance_or_none() -> void (*)(Row const&, double*) {
-  if constexpr (Scheme::info.difference_form) {
-    return conductance_of_row<Scheme, Dim>;
-  } else {
-    return nullptr;
-  }
+constexpr SchemeLoops loops_of() {
+  SchemeLoops loops{};
+  [&]<std::size_t... n>(std::index_sequence<n...>) {
+    ((loops.passes[n] = sum_row<PassTerm<Scheme, n, Dim>, Dim>), ...);
+  }(std::make_index_sequence<std::tuple_size_v<AllPasses<Scheme>>>());
+  if constexpr (Scheme::info.difference_form) loops.conductance = conductance_of_row<Scheme, Dim>;
+  return loops;
 }
 
 /// What a moving gas sweeps together: pressure and its usual work, with and without viscosity and continuity.
-template <int Dim, class Momentum, class Work>
+template <int Dim, class Kernel, class Momentum, class Work>
 constexpr std::array<FusedSweep, 4> fused_gas() {
   using A = RateTerm<Momentum, Dim>;
   using E = RateTerm<Work, Dim>;
   using D = RateTerm<ContinuityDensity, Dim>;
-  using V = ViscosityTerm<Dim>;
-  return {fused<Dim, A, E>(), fused<Dim, A, E, D>(), fused<Dim, A, E, V>(), fused<Dim, A, E, D, V>()};
+  using V = ViscosityTerm<Dim, Kernel>;
+  return {fused<Dim, Kernel, A, E>(), fused<Dim, Kernel, A, E, D>(), fused<Dim, Kernel, A, E, V>(),
+          fused<Dim, Kernel, A, E, D, V>()};
 }
 
-template <int Dim, class... Schemes>
+template <int Dim, class Kernel, class... Schemes>
 constexpr std::array<FusedSweep, most_fused> all_fused(std::tuple<Schemes...> const*) {
   std::array<FusedSweep, most_fused> all{};
   std::size_t count = 0;
   auto const put = [&](FusedSweep const& one) { all[count++] = one; };
-  auto const put_flux = [&]<class Scheme>(Scheme const*) {
-    if constexpr (Scheme::info.two_pass) put(fused<Dim, FluxTerm<Scheme, Dim>>());
+  auto const put_passes = [&]<class Scheme>(Scheme const*) {
+    [&]<std::size_t... n>(std::index_sequence<n...>) {
+      (put(fused<Dim, Kernel, PassTerm<Scheme, n, Dim>>()), ...);
+    }(std::make_index_sequence<std::tuple_size_v<AllPasses<Scheme>>>());
   };
-  (put(fused<Dim, RateTerm<Schemes, Dim>>()), ...);
-  (put_flux(static_cast<Schemes const*>(nullptr)), ...);
-  put(fused<Dim, DensityTerm<Dim>>());
-  put(fused<Dim, ApproachTerm<Dim>>());
-  for (FusedSweep const& one : fused_gas<Dim, PressureOverDensitySquared, InternalEnergyWork>()) put(one);
-  for (FusedSweep const& one : fused_gas<Dim, SquareRootOfPressure, SquareRootOfPressureWork>()) put(one);
+  (put_passes(static_cast<Schemes const*>(nullptr)), ...);
+  put(fused<Dim, Kernel, DensityTerm<Dim, Kernel>>());
+  put(fused<Dim, Kernel, ApproachTerm<Dim, Kernel>>());
+  for (FusedSweep const& one : fused_gas<Dim, Kernel, PressureOverDensitySquared, InternalEnergyWork>()) put(one);
+  for (FusedSweep const& one : fused_gas<Dim, Kernel, SquareRootOfPressure, SquareRootOfPressureWork>()) put(one);
   return all;
 }
 
-template <int Dim, class... Schemes>
+template <int Dim, class Kernel, class... Schemes>
 constexpr SweepKernels make_kernels(std::tuple<Schemes...> const* list, char const* name) {
+  static_assert((IsScheme<Schemes> && ...), "a scheme has an `info`, and in `passes` the code of its first passes");
   static_assert(sizeof...(Schemes) <= most_schemes && 2 * sizeof...(Schemes) + 10 <= most_fused);
   return {.instruction_set = name,
-          .rows = rows<Dim>,
-          .rate = {sum_row<RateTerm<Schemes, Dim>, Dim>...},
-          .flux = {flux_or_none<Schemes, Dim>()...},
-          .fused = all_fused<Dim>(list),
+          .rows = rows<Dim, Kernel>,
+          .schemes = {loops_of<Schemes, Dim>()...},
+          .fused = all_fused<Dim, Kernel>(list),
           .continuity = sum_row<RateTerm<ContinuityDensity, Dim>, Dim>,
-          .density = sum_row<DensityTerm<Dim>, Dim>,
-          .viscosity = sum_row<ViscosityTerm<Dim>, Dim>,
-          .approach = sum_row<ApproachTerm<Dim>, Dim>,
-          .conductance = {conductance_or_none<Schemes, Dim>()...},
-          .conductances = conductances<Dim>,
+          .density = sum_row<DensityTerm<Dim, Kernel>, Dim>,
+          .viscosity = sum_row<ViscosityTerm<Dim, Kernel>, Dim>,
+          .approach = sum_row<ApproachTerm<Dim, Kernel>, Dim>,
+          .conductances = conductances<Dim, Kernel>,
           .conduct = conduct};
 }
 

@@ -104,6 +104,14 @@ struct SweepPlan {
 };
 
 inline constexpr std::size_t most_schemes = 32;
+inline constexpr std::size_t most_passes = 4;
+
+/// What a compared scheme has of its own.
+struct SchemeLoops {
+  std::array<RowFunction, most_passes> passes;  ///< that of the rate last, then null
+  /// Per pair of a row its conductance, for conduction that is linear on particles at rest; null for other forms.
+  void (*conductance)(Row const& row, double* conductance);
+};
 
 /// Sweeps of terms that are often wanted together have a loop of their own, in which a neighbour goes from
 /// its record into all terms without being copied in between. Serves plans without own smoothing lengths and
@@ -121,15 +129,12 @@ struct SweepKernels {
   char const* instruction_set;
   /// Rows begin to end of a plan. @param scratch scratch_size(stride) doubles, aligned to 32 bytes
   void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end, double* scratch);
-  /// The compared schemes in the order of AllSchemes: their rates, and the first pass of those that have two.
-  std::array<RowFunction, most_schemes> rate, flux;
+  std::array<SchemeLoops, most_schemes> schemes;  ///< in the order of AllSchemes
   std::array<FusedSweep, most_fused> fused;
   RowFunction continuity;
   RowFunction density;    ///< sum_j m_j W(r_ij, h_i), the particle itself left out
   RowFunction viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
   RowFunction approach;   ///< largest rate_of_approach()
-  /// Per pair of a row its conductance, for conduction that is linear on particles at rest.
-  std::array<void (*)(Row const& row, double* conductance), most_schemes> conductance;
   void (*conductances)(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
                        std::size_t end, double* scratch, double* out);
   /// rate_i = sum_j c_ij (T_i - T_j) for rows begin to end.

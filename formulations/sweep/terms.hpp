@@ -2,7 +2,6 @@
 
 #include "formulations/density/continuity.hpp"
 #include "formulations/sweep/approach.hpp"
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/scheme.hpp"
 #include "formulations/sweep/views.hpp"
 #include "formulations/viscosity/monaghan.hpp"
@@ -31,39 +30,26 @@ struct SumOf<Dim, true> {
   PackVector<Dim> value{};
 };
 
-/// The pairs of a scheme's rate.
-template <class Scheme, int Dim>
-struct RateTerm {
-  static constexpr FieldSet reads = Scheme::info.reads | FieldSet{Field::mass} |
-                                    (Scheme::info.two_pass ? FieldSet{Field::flux} : FieldSet{});
+/// The pairs of pass n of a scheme.
+template <class Scheme, std::size_t n, int Dim>
+struct PassTerm {
+  using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
+  static constexpr FieldSet reads = reads_of_pass<Scheme, n>();
   static constexpr bool wants_radial = true;
-  static constexpr int components = Scheme::info.rate == Rate::acceleration ? Dim : 1;
-  SumOf<Dim, Scheme::info.rate == Rate::acceleration> sum;
+  static constexpr bool is_vector = info(output_of<Pass>()).is_vector;
+  static constexpr int components = is_vector ? Dim : 1;
+  SumOf<Dim, is_vector> sum;
 
-  SPHVERIFY_INLINE explicit RateTerm(void const*) {}
-  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
-    sum.value += Scheme::pair(i, j, W);
-  }
+  SPHVERIFY_INLINE explicit PassTerm(void const*) {}
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) { sum.value += Pass::pair(i, j, W); }
   SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum.value, out); }
 };
-
-/// The first pass of a scheme that has two.
+/// That of its rate, the last.
 template <class Scheme, int Dim>
-struct FluxTerm {
-  static constexpr FieldSet reads = Scheme::info.reads | FieldSet{Field::mass};
-  static constexpr bool wants_radial = true;
-  static constexpr int components = Dim;
-  PackVector<Dim> sum{};
-
-  SPHVERIFY_INLINE explicit FluxTerm(void const*) {}
-  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
-    sum += Scheme::flux_pair(i, j, W);
-  }
-  SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum, out); }
-};
+using RateTerm = PassTerm<Scheme, std::tuple_size_v<AllPasses<Scheme>> - 1, Dim>;
 
 /// sum_j m_j W(r_ij, h_i)
-template <int Dim>
+template <int Dim, class Kernel>
 struct DensityTerm {
   static constexpr FieldSet reads{Field::mass};
   static constexpr bool wants_radial = false;
@@ -72,15 +58,15 @@ struct DensityTerm {
 
   SPHVERIFY_INLINE explicit DensityTerm(void const*) {}
   SPHVERIFY_INLINE void add(auto const&, auto const& j, auto const& W) {
-    sum += j.m() * CubicSpline<Dim>::shape(W.distance() * Pack(1.0 / W.own_h()));
+    sum += j.m() * Kernel::shape(W.distance() * Pack(1.0 / W.own_h()));
   }
   SPHVERIFY_INLINE void write(double h, double* out) const {
-    *out += (Pack(CubicSpline<Dim>::sigma) * integer_power<Dim>(Pack(1.0 / h)) * Pack(sum.sum())).lanes[0];
+    *out += (Pack(Kernel::sigma) * integer_power<Dim>(Pack(1.0 / h)) * Pack(sum.sum())).lanes[0];
   }
 };
 
 /// Artificial viscosity: acceleration, heating, largest |mu|.
-template <int Dim>
+template <int Dim, class Kernel>
 struct ViscosityTerm {
   static constexpr FieldSet reads{Field::mass, Field::density, Field::velocity, Field::sound_speed};
   static constexpr bool reads_state_velocity = true;
@@ -105,7 +91,7 @@ struct ViscosityTerm {
     Pack const h = W.h();
     // Beyond the support nothing rubs; a list may hold pairs that are not near yet.
     Pack const approach =
-        select(W.distance() < Pack(CubicSpline<Dim>::support_ratio) * h, -v_ji.dot(W.separation()), 0.0);
+        select(W.distance() < Pack(Kernel::support_ratio) * h, -v_ji.dot(W.separation()), 0.0);
     auto const [mu, Pi] =
         law.pair(approach, h, Pack(0.5) * (i.c() + j.c()), mean_rho(i, j), W.with_inverse(divisor(i, j, W)));
     auto const push = (j.m() * Pi) * W.gradient();
@@ -121,7 +107,7 @@ struct ViscosityTerm {
 };
 
 /// Largest rate_of_approach().
-template <int Dim>
+template <int Dim, class Kernel>
 struct ApproachTerm {
   static constexpr FieldSet reads{Field::velocity};
   static constexpr bool wants_radial = false;
@@ -132,7 +118,7 @@ struct ApproachTerm {
   SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
     Pack const r = W.distance();
     Pack const rate = rate_of_approach<Dim, Pack>(-((i.u() - j.u()).dot(W.separation())), r * r, W.h());
-    largest = max(largest, select(r < Pack(CubicSpline<Dim>::support_ratio) * W.h(), rate, 0.0));
+    largest = max(largest, select(r < Pack(Kernel::support_ratio) * W.h(), rate, 0.0));
   }
   SPHVERIFY_INLINE void write(double, double* out) const { raise_to(largest, out); }
 };

@@ -5,21 +5,58 @@
 
 namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 
-/// Reads of one particle what the schemes call by the paper's symbols.
-template <int Dim, class Read>
+/// Reads of one particle what the schemes call by the paper's symbols. What a scheme does not declare among its `reads` does
+/// not compile.
+template <int Dim, FieldSet reads, class Read>
 class View {
  public:
   SPHVERIFY_INLINE View(RecordSlots const& slots, Read const& read) : slots_(slots), read_(read) {}
 
-  SPHVERIFY_INLINE Pack m() const { return read_(slots_.m); }
-  SPHVERIFY_INLINE Divisor rho() const { return {read_(slots_.rho), read_(slots_.per_rho)}; }
-  SPHVERIFY_INLINE Pack P() const { return read_(slots_.P); }
-  SPHVERIFY_INLINE Pack T() const { return read_(slots_.T); }
-  SPHVERIFY_INLINE Pack K() const { return read_(slots_.K); }
-  SPHVERIFY_INLINE Pack c() const { return read_(slots_.c); }
-  SPHVERIFY_INLINE PackVector<Dim> v() const { return vector(slots_.v); }
-  SPHVERIFY_INLINE PackVector<Dim> u() const { return vector(slots_.u); }
-  SPHVERIFY_INLINE PackVector<Dim> F() const { return vector(slots_.F); }
+  SPHVERIFY_INLINE Pack m() const
+    requires(reads.contains(Field::mass))
+  {
+    return read_(slots_.m);
+  }
+  SPHVERIFY_INLINE Divisor rho() const
+    requires(reads.contains(Field::density))
+  {
+    return {read_(slots_.rho), read_(slots_.per_rho)};
+  }
+  SPHVERIFY_INLINE Pack P() const
+    requires(reads.contains(Field::pressure))
+  {
+    return read_(slots_.P);
+  }
+  SPHVERIFY_INLINE Pack T() const
+    requires(reads.contains(Field::temperature))
+  {
+    return read_(slots_.T);
+  }
+  SPHVERIFY_INLINE Pack K() const
+    requires(reads.contains(Field::conductivity))
+  {
+    return read_(slots_.K);
+  }
+  SPHVERIFY_INLINE Pack c() const
+    requires(reads.contains(Field::sound_speed))
+  {
+    return read_(slots_.c);
+  }
+  SPHVERIFY_INLINE PackVector<Dim> v() const
+    requires(reads.contains(Field::velocity))
+  {
+    return vector(slots_.v);
+  }
+  SPHVERIFY_INLINE PackVector<Dim> u() const
+    requires(reads.contains(Field::velocity))
+  {
+    return vector(slots_.u);
+  }
+  SPHVERIFY_INLINE PackVector<Dim> F() const
+    requires(reads.contains(Field::flux))
+  {
+    return vector(slots_.F);
+  }
 
  private:
   SPHVERIFY_INLINE PackVector<Dim> vector(int slot) const {

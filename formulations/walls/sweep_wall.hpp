@@ -14,14 +14,16 @@ void increase(VectorField<Dim>& out, std::size_t i, Vector<Dim> const& value) {
 }
 
 /// out_i += term(i, wall) for every contact; returns the terms, one per contact.
-template <class Value, int Dim, class Out, class Term>
+/// @tparam of_particle, of_wall what the term may read
+template <class Value, FieldSet of_particle, BoundaryValueSet of_wall, int Dim, class Out, class Term>
 std::vector<Value> sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out,
                               Term const& term) {
   FieldPointers<Dim> const fields(particles);
   std::vector<Value> terms;
   terms.reserve(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    terms.push_back(term(ParticleView<Dim>(fields, contacts.particle[c]), WallView<Dim>(contacts, c)));
+    terms.push_back(term(ParticleView<Dim, of_particle>(fields, contacts.particle[c]),
+                         WallView<Dim, of_wall>(contacts, c)));
     increase(out, contacts.particle[c], terms.back());
   }
   return terms;

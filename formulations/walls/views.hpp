@@ -27,19 +27,48 @@ struct FieldPointers {
   }
 };
 
-/// One particle as a scheme sees it: the paper's symbols, each read from memory only where it is used.
-template <int Dim>
+/// One particle as a scheme sees it: the paper's symbols, each read from memory only where it is used. What is not among
+/// `reads` does not compile.
+template <int Dim, FieldSet reads>
 class ParticleView {
  public:
   ParticleView(FieldPointers<Dim> const& fields, std::size_t index) : f_(&fields), i_(index) {}
 
-  double m() const { return f_->m[i_]; }
-  double rho() const { return f_->rho[i_]; }
-  double P() const { return f_->P[i_]; }
-  double T() const { return f_->T[i_]; }
-  double K() const { return f_->K[i_]; }
-  Vector<Dim> v() const { return gather(f_->v); }
-  Vector<Dim> F() const { return gather(f_->F); }
+  double m() const
+    requires(reads.contains(Field::mass))
+  {
+    return f_->m[i_];
+  }
+  double rho() const
+    requires(reads.contains(Field::density))
+  {
+    return f_->rho[i_];
+  }
+  double P() const
+    requires(reads.contains(Field::pressure))
+  {
+    return f_->P[i_];
+  }
+  double T() const
+    requires(reads.contains(Field::temperature))
+  {
+    return f_->T[i_];
+  }
+  double K() const
+    requires(reads.contains(Field::conductivity))
+  {
+    return f_->K[i_];
+  }
+  Vector<Dim> v() const
+    requires(reads.contains(Field::velocity))
+  {
+    return gather(f_->v);
+  }
+  Vector<Dim> F() const
+    requires(reads.contains(Field::flux))
+  {
+    return gather(f_->F);
+  }
 
  private:
   Vector<Dim> gather(std::array<double const*, Dim> const& components) const {
@@ -52,8 +81,9 @@ class ParticleView {
   std::size_t i_;
 };
 
-/// A wall at the foot point of particle i as a scheme sees it.
-template <int Dim>
+/// A wall at the foot point of particle i as a scheme sees it: geometry and the density there always, else what is among
+/// `reads`.
+template <int Dim, BoundaryValueSet reads>
 class WallView {
  public:
   WallView(WallContacts<Dim> const& contacts, std::size_t contact) : w_(&contacts), c_(contact) {}
@@ -62,11 +92,31 @@ class WallView {
   Vector<Dim> S() const { return w_->face_weight[c_] * w_->outward_normal; }
   double d() const { return w_->distance[c_]; }
   double rho() const { return w_->foot_density[c_]; }
-  double P() const { return w_->pressure[c_]; }
-  double T() const { return w_->temperature[c_]; }
-  double K() const { return w_->conductivity[c_]; }
-  Vector<Dim> v() const { return w_->velocity[c_]; }
-  Vector<Dim> F() const { return w_->flux[c_]; }
+  double P() const
+    requires(reads.contains(BoundaryValue::pressure))
+  {
+    return w_->pressure[c_];
+  }
+  double T() const
+    requires(reads.contains(BoundaryValue::temperature))
+  {
+    return w_->temperature[c_];
+  }
+  double K() const
+    requires(reads.contains(BoundaryValue::conductivity))
+  {
+    return w_->conductivity[c_];
+  }
+  Vector<Dim> v() const
+    requires(reads.contains(BoundaryValue::velocity))
+  {
+    return w_->velocity[c_];
+  }
+  Vector<Dim> F() const
+    requires(reads.contains(BoundaryValue::flux))
+  {
+    return w_->flux[c_];
+  }
   bool prescribes_flux_only() const { return w_->prescribes_flux_only; }
 
  private:

@@ -54,14 +54,14 @@ Json describe_scheme(SchemeInfo const& s) {
     conserves.push_back("momentum, to round-off between particles");
   if (s.conserves.contains(Invariant::energy)) conserves.push_back("energy, to round-off between particles");
   Json passes = Json::array();
-  if (s.two_pass) passes.push_back("flux");
+  for (PassInfo const& pass : s.first_passes) passes.push_back(pass.name);
   passes.push_back("rate");
   return {{"equation", s.equation},
           {"source", s.source},
           {"computes", rate_name(s.rate)},
-          {"reads", field_names(s.reads)},
+          {"reads", field_names(fields_read(s))},
           {"fields", field_names(needed_fields(s))},
-          {"wall_values", boundary_names(s.boundary | s.boundary_if_prescribed)},
+          {"wall_values", boundary_names(wall_values_read(s))},
           {"passes", passes},
           {"conserves", conserves},
           {"parameters", Json::array({"walls [on]: on, or off for the control without wall terms"})},

@@ -34,6 +34,13 @@ std::vector<std::span<double const>> components_of(VectorField<Dim> const& field
   return all;
 }
 
+/// A field of numbers or of vectors, component by component.
+template <int Dim>
+std::vector<std::span<double const>> values_of(Particles<Dim> const& particles, Field field) {
+  if (info(field).is_vector) return components_of(particles.vector(field));
+  return {particles.scalar(field)};
+}
+
 /// What makes little sense of a smoothing length among these particles.
 template <int Dim>
 Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours) {
@@ -73,11 +80,10 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
   } catch (UndefinedRate const& error) {
     return {{output, nullptr}, {"reason", error.what()}};
   }
-  std::string why = info(output_field(scheme.rate)).is_vector
-                        ? why_not_finite(output, components_of(particles.vector(output_field(scheme.rate))))
-                        : why_not_finite(output, {particles.scalar(Field::heating)});
-  if (why.empty() && scheme.two_pass)
-    why = why_not_finite("flux", components_of(particles.vector(Field::flux)));
+  std::string why = why_not_finite(output, values_of(particles, output_field(scheme.rate)));
+  for (PassInfo const& pass : scheme.first_passes) {
+    if (why.empty()) why = why_not_finite(info(pass.writes).name, values_of(particles, pass.writes));
+  }
   if (!why.empty()) return {{output, nullptr}, {"reason", why}};
   Json json;
   if (scheme.rate == Rate::acceleration) {
@@ -85,7 +91,14 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
   } else {
     json[output] = particles.scalar(Field::heating);
   }
-  if (scheme.two_pass) json["flux"] = list(particles.vector(Field::flux));
+  for (PassInfo const& pass : scheme.first_passes) {
+    std::string const name(info(pass.writes).name);
+    if (info(pass.writes).is_vector) {
+      json[name] = list(particles.vector(pass.writes));
+    } else {
+      json[name] = particles.scalar(pass.writes);
+    }
+  }
   return json;
 }
 
@@ -93,7 +106,7 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
 template <int Dim>
 std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
   for (FieldInfo const& field : field_infos) {
-    if (scheme.reads.contains(field.field) && !state.particles.has(field.field)) {
+    if (fields_read(scheme).contains(field.field) && !state.particles.has(field.field)) {
       return fmt::format("the state gives no {}", field.name);
     }
   }

@@ -36,14 +36,15 @@ Rows one_pass(PairGeometry<Dim> const& geometry) {
 }  // namespace
 
 template <int Dim>
-DependencyPattern dependencies(PairGeometry<Dim> const& geometry, bool two_pass) {
+DependencyPattern dependencies(PairGeometry<Dim> const& geometry, int passes) {
   Rows const direct = one_pass(geometry);
   DependencyPattern pattern;
   pattern.first.push_back(0);
   for (auto const& row : direct) {
     std::vector<std::int64_t> reached = row;
-    if (two_pass) {
-      for (std::int64_t const j : row) reached.insert(reached.end(), direct[j].begin(), direct[j].end());
+    for (int pass = 1; pass < passes; ++pass) {
+      std::vector<std::int64_t> const nearer = reached;
+      for (std::int64_t const j : nearer) reached.insert(reached.end(), direct[j].begin(), direct[j].end());
       make_set(reached);
     }
     pattern.column.insert(pattern.column.end(), reached.begin(), reached.end());
@@ -52,8 +53,8 @@ DependencyPattern dependencies(PairGeometry<Dim> const& geometry, bool two_pass)
   return pattern;
 }
 
-template DependencyPattern dependencies(PairGeometry<1> const&, bool);
-template DependencyPattern dependencies(PairGeometry<2> const&, bool);
-template DependencyPattern dependencies(PairGeometry<3> const&, bool);
+template DependencyPattern dependencies(PairGeometry<1> const&, int);
+template DependencyPattern dependencies(PairGeometry<2> const&, int);
+template DependencyPattern dependencies(PairGeometry<3> const&, int);
 
 }  // namespace sphverify

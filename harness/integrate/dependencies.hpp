@@ -6,8 +6,9 @@
 namespace sphverify {
 
 /// Which particles' temperatures a conduction rate depends on: its neighbours, and near a wall whatever is
-/// interpolated to its foot point; for a two-pass scheme once more through the flux.
+/// interpolated to its foot point; with every pass before that of the rate once more.
+/// @param passes how many the scheme has
 template <int Dim>
-DependencyPattern dependencies(PairGeometry<Dim> const& geometry, bool two_pass);
+DependencyPattern dependencies(PairGeometry<Dim> const& geometry, int passes);
 
 }  // namespace sphverify

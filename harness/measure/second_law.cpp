@@ -162,8 +162,8 @@ void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) 
   for (std::size_t i = 0; i < n; ++i) {
     for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(temperature[j]);
   }
-  // The two-pass forms feel their neighbours' neighbours.
-  if (scene_.scheme().two_pass) {
+  // Forms of several passes feel their neighbours' neighbours.
+  for (int pass = 1; pass < pass_count(scene_.scheme()); ++pass) {
     std::vector<Range> const nearer = around;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(nearer[j]);

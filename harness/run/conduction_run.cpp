@@ -244,7 +244,8 @@ class ConductionRun : ConductionIntegration<Dim> {
     conduction_.evaluate(end, result.y.data());
     std::vector<ComparedField> fields{{"temperature", {result.y}, {exact_}}};
     VectorField<Dim> exact_flux;
-    if (scene.scheme().two_pass && problem_.vectors.contains(Field::flux)) {
+    if (scene.scheme().first_passes.writes().contains(Field::flux) &&
+        problem_.vectors.contains(Field::flux)) {
       exact_flux = sample(problem_.vectors.at(Field::flux), particles_, end);
       fields.push_back({"flux", components(particles_.vector(Field::flux)), components(exact_flux)});
     }

@@ -90,7 +90,7 @@ void run_rates(Problem<Dim> const& problem, SceneChoice const& choice, RunOption
     heating = sample(problem.heating.at(rate), particles, 0.0);
     fields.push_back({"heating", {particles.scalar(Field::heating)}, {heating}});
   }
-  if (scene.scheme().two_pass) {
+  if (scene.scheme().first_passes.writes().contains(Field::flux)) {
     flux = sample(problem.vectors.at(Field::flux), particles, 0.0);
     fields.push_back({"flux", components(particles.vector(Field::flux)), components(flux)});
   }

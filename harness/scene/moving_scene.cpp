@@ -352,7 +352,7 @@ void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
     energy_rate_ = particles_.scalar(Field::heating);
     if (conduction_operator_) {
       conduction_operator_->evaluate(particles_, geometry, closure_, time, threads_, work_);
-      if (conduction_operator_->info().two_pass) ++passes_["flux"];
+      for (PassInfo const& pass : conduction_operator_->info().first_passes) ++passes_[pass.name];
       ++passes_[conduction_operator_->info().id];
       auto const& heating = particles_.scalar(Field::heating);
       for (std::size_t i = 0; i < particles_.size(); ++i) energy_rate_[i] += heating[i];

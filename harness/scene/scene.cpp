@@ -129,7 +129,7 @@ void Scene<Dim>::freeze() {
 template <int Dim>
 void Scene<Dim>::evaluate(double time) {
   operator_->evaluate(particles_, geometry_, closure_, time, threads_, work_);
-  if (scheme().two_pass) ++passes_["flux"];
+  for (PassInfo const& pass : scheme().first_passes) ++passes_[pass.name];
   ++passes_[scheme().id];
 }
 

@@ -46,17 +46,17 @@ BOOST_AUTO_TEST_CASE(title_source_equation_and_remarks_are_there) {
     bool const formula = scheme->equation.find('=') != std::string_view::npos;
     BOOST_TEST(formula, scheme->id);
     auto const lines = 1 + std::ranges::count(scheme->equation, '\n');
-    if (scheme->two_pass) BOOST_TEST(lines == 2, scheme->id << " has one line for each pass");
+    if (pass_count(*scheme) > 1) BOOST_TEST(lines == pass_count(*scheme), scheme->id << " has one line for each pass");
   }
 }
 
 BOOST_AUTO_TEST_CASE(needs_are_declared) {
   for (SchemeInfo const* scheme : all_scheme_infos()) {
-    BOOST_TEST(scheme->reads.contains(Field::density), scheme->id);
+    BOOST_TEST(fields_read(*scheme).contains(Field::density), scheme->id);
     BOOST_TEST(!scheme->kernel.empty(), scheme->id);
     BOOST_TEST(!scheme->boundary.empty(), scheme->id);
-    BOOST_TEST(scheme->reads.contains(scheme->non_negative), scheme->id);
-    BOOST_TEST(!scheme->reads.contains(output_field(scheme->rate)), scheme->id);
+    BOOST_TEST(fields_read(*scheme).contains(scheme->non_negative), scheme->id);
+    BOOST_TEST(!fields_read(*scheme).contains(output_field(scheme->rate)), scheme->id);
   }
 }
 

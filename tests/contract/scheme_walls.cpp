@@ -48,7 +48,7 @@ BOOST_AUTO_TEST_CASE(walls_reach_two_smoothing_lengths_and_four_in_two_passes) {
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     auto const with = evaluate(scene, scheme->id).numbers();
     auto const without = evaluate(scene, scheme->id, false).numbers();
-    std::vector<bool> const reached = within_reach_of_walls(scene, scheme->two_pass);
+    std::vector<bool> const reached = within_reach_of_walls(scene, (pass_count(*scheme) > 1));
     std::size_t untouched = 0;
     for (std::size_t i = 0; i < count; ++i) {
       BOOST_TEST((with[i] != without[i]) == reached[i], scheme->id << ", particle " << i);
@@ -71,7 +71,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_eac
   constexpr int Dim = D::value;
   RandomScene<Dim> const scene = random_scene<Dim>(2, count);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (scheme->two_pass) continue;  // there the walls act through the first pass as well
+    if (pass_count(*scheme) > 1) continue;  // there the walls act through the first pass as well
     Rates<Dim> const both = evaluate(scene, scheme->id);
     for (std::size_t w = 0; w < 2; ++w) {
       Rates<Dim> const other = without_contacts(scene, scheme->id, w);

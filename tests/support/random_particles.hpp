@@ -261,7 +261,7 @@ Rates<Dim> evaluate(RandomScene<Dim> scene, std::string_view id, PairGeometry<Di
     } else {
       rates.heating.push_back(scene.particles.scalar(Field::heating)[i]);
     }
-    if (scheme->info().two_pass) rates.flux.push_back(scene.particles.vector(Field::flux)[i]);
+    if (pass_count(scheme->info()) > 1) rates.flux.push_back(scene.particles.vector(Field::flux)[i]);
   }
   rates.wall_force = scheme->wall_force();
   rates.wall_power = scheme->wall_power();

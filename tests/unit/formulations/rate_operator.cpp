@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluat
   for (SchemeInfo const* scheme : all_scheme_infos()) {
     PairGeometry<Dim> geometry = geometry_of(scene);
     std::size_t const contacts = geometry.contacts[0].size() + geometry.contacts[1].size();
-    std::size_t const passes = scheme->two_pass ? 2 : 1;
+    std::size_t const passes = pass_count(*scheme);
     auto const operator_ = make_rate_operator<Dim>(scheme->id);
     WorkCount work;
     for (std::size_t n = 1; n <= 3; ++n) {

@@ -111,13 +111,17 @@ std::vector<Term> all_terms(SweepKernels const& kernels = sweep_kernels<Dim>()) 
   auto const& infos = all_scheme_infos();
   for (std::size_t s = 0; s < infos.size(); ++s) {
     SchemeInfo const& info = *infos[s];
-    FieldSet reads = info.reads | FieldSet{Field::mass};
-    if (info.two_pass) {
-      terms.push_back({std::string(info.id) + " flux", kernels.flux[s], reads, info.kernel, Dim, nullptr});
-      reads.insert(Field::flux);
+    FieldSet written{Field::mass};
+    auto const& loops = kernels.schemes[s].passes;
+    std::size_t n = 0;
+    for (PassInfo const& pass : info.first_passes) {
+      int const components = sphverify::info(pass.writes).is_vector ? Dim : 1;
+      terms.push_back({std::string(info.id) + " " + std::string(pass.name), loops[n++], pass.reads | written, pass.kernel,
+                       components, nullptr});
+      written.insert(pass.writes);
     }
     int const components = info.rate == Rate::acceleration ? Dim : 1;
-    terms.push_back({std::string(info.id), kernels.rate[s], reads, info.kernel, components, nullptr});
+    terms.push_back({std::string(info.id), loops[n], info.reads | written, info.kernel, components, nullptr});
   }
   terms.push_back({"continuity", kernels.continuity, ContinuityDensity::info.reads | FieldSet{Field::mass},
                    ContinuityDensity::info.kernel, 1, nullptr});
@@ -252,10 +256,11 @@ class DenseSums {
     if (name == "conduction/brookshaw") {
       return {m * (K_i + K_j) / (rho_i * rho_j) * (T_i - T_j) * r.dot(W) / r.squaredNorm()};
     }
-    if (name == "conduction/lucy-flux flux") return list(-K_i * m / rho_j * T_j * W);
+    // What multiplies the whole sum of a first pass is not the sweep's.
+    if (name == "conduction/lucy-flux flux") return list(m / rho_j * T_j * W);
     if (name == "conduction/lucy-flux") return {-1.0 / rho_i * m / rho_j * F_j.dot(W)};
     if (name == "conduction/campbell-flux flux") {
-      return list(-K_i * rho_i * m * (over_square(T_j, rho_j) + over_square(T_i, rho_i)) * W);
+      return list(m * (over_square(T_j, rho_j) + over_square(T_i, rho_i)) * W);
     }
     if (name == "conduction/campbell-flux") {
       return {-m * (F_j / (rho_j * rho_j) + F_i / (rho_i * rho_i)).dot(W)};
@@ -527,7 +532,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
       BOOST_TEST(same_bits(flat(several[t]), flat(one[t])), terms[t].name << " at " << threads << " threads");
     }
     for (std::size_t s = 0; s < infos.size(); ++s) {
-      auto const of_row = sweep_kernels<Dim>().conductance[s];
+      auto const of_row = sweep_kernels<Dim>().schemes[s].conductance;
       if (!of_row) continue;
       FieldSet const reads = infos[s]->reads | FieldSet{Field::mass};
       BOOST_TEST(same_bits(PairSweep<Dim>(geometry.neighbours, geometry.domain, threads)
@@ -596,7 +601,7 @@ std::vector<double> heating_twice(RandomScene<Dim> scene, std::string_view id, b
     for (double& T : scene.particles.scalar(Field::temperature)) T = random.uniform(0.5, 2.0);
   }
   BOOST_TEST(work.evaluations == 2u);
-  BOOST_TEST(work.pair_interactions == (scheme->info().two_pass ? 4u : 2u) * geometry.neighbours.pairs());
+  BOOST_TEST(work.pair_interactions == 2u * static_cast<std::size_t>(pass_count(scheme->info())) * geometry.neighbours.pairs());
   return rates;
 }
 
@@ -711,7 +716,7 @@ class HandmadeSweep {
   std::vector<double> conductances(SweepKernels const& kernels, std::size_t scheme) {
     std::vector<double> all(list_.pairs());
     Aligned scratch(scratch_size(stride_));
-    kernels.conductances(plan_, kernels.conductance[scheme], 0, n_, scratch.data(), all.data());
+    kernels.conductances(plan_, kernels.schemes[scheme].conductance, 0, n_, scratch.data(), all.data());
     return all;
   }
 
@@ -788,8 +793,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions
     std::size_t linear = 0;
     for (std::size_t s = 0; scene.particles.smoothing_lengths().empty() && s < all_scheme_infos().size();
          ++s) {
-      BOOST_TEST((baseline.conductance[s] != nullptr) == all_scheme_infos()[s]->difference_form);
-      if (!baseline.conductance[s]) continue;
+      BOOST_TEST((baseline.schemes[s].conductance != nullptr) == all_scheme_infos()[s]->difference_form);
+      if (!baseline.schemes[s].conductance) continue;
       ++linear;
       std::vector<double> const c = sweep.conductances(baseline, s);
       BOOST_TEST(relative_difference(sweep.conductances(avx2, s), c) < round_off);

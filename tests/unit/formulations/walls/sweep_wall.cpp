@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_its_t
   sweep.run(scene.particles);
   for (std::size_t i = 0; i < 20; ++i) BOOST_TEST(out[i] == (geometry.neighbours.row(i).empty() ? 0.0 : 1.0));
   std::vector<double> const pairs_only = out;
-  std::vector<double> const terms = sweep_wall<double>(geometry.contacts[0], scene.particles, out,
+  std::vector<double> const terms = sweep_wall<double, FieldSet{}, BoundaryValueSet{}>(geometry.contacts[0], scene.particles, out,
                                                        [](auto const&, auto const& B) { return B.d(); });
   for (std::size_t c = 0; c < geometry.contacts[0].size(); ++c) {
     std::uint32_t const i = geometry.contacts[0].particle[c];

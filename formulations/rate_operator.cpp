@@ -39,11 +39,13 @@ constexpr std::size_t index_in(std::tuple<Schemes...> const*) {
 }
 
 template <class Scheme, int Dim>
-RowFunction pair_sum(std::size_t pass) {
+RowFunction pair_sum(std::string_view kernel, std::size_t pass) {
   if constexpr (std::is_same_v<Scheme, ContinuityDensity>) {
-    return sweep_kernels<Dim>().continuity;
+    return sweep_kernels<Dim>(kernel).continuity;
   } else {
-    return sweep_kernels<Dim>().schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))].passes[pass];
+    return sweep_kernels<Dim>(kernel)
+        .schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))]
+        .passes[pass];
   }
 }
 
@@ -70,7 +72,7 @@ class SchemeOperator final : public RateOperator<Dim> {
           if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
         }
       }
-      sweep.add(pair_sum<Scheme, Dim>(n), reads_of_pass<Scheme, n>(), Pass<n>::info.kernel,
+      sweep.add(pair_sum<Scheme, Dim>(particles.kernel().id(), n), reads_of_pass<Scheme, n>(), Pass<n>::info.kernel,
                 output<Pass<n>>(particles));
     });
   }
@@ -98,7 +100,9 @@ class SchemeOperator final : public RateOperator<Dim> {
     if constexpr (Scheme::info.difference_form) {
       PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
       auto const of_row =
-          sweep_kernels<Dim>().schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))].conductance;
+          sweep_kernels<Dim>(particles.kernel().id())
+              .schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))]
+              .conductance;
       conductance_ = sweep.conductances(of_row, reads_of_pass<Scheme, last>(), particles);
     }
   }
@@ -193,7 +197,7 @@ class SchemeOperator final : public RateOperator<Dim> {
     double const* const temperature = particles.scalar(Field::temperature).data();
     double* const rate = particles.scalar(Field::heating).data();
     for_each_block(neighbours.rows(), threads, [&](std::size_t begin, std::size_t end) {
-      sweep_kernels<Dim>().conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(),
+      sweep_kernels<Dim>(particles.kernel().id()).conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(),
                                    temperature, begin, end, rate);
     });
   }

@@ -115,7 +115,7 @@ struct Cost {
 struct Mode {
   double growth = 0.0, frequency = 0.0;  ///< real and imaginary part of its eigenvalue [1/s]
   Number wavelength;                     ///< [dx]; empty for a mode that is the same everywhere
-  Number wall_share;                     ///< part of its squared amplitude within 2h of a wall
+  Number wall_share;                     ///< part of its squared amplitude within the support of a wall
   std::vector<double> centre;            ///< of its squared amplitude [m]
 };
 

@@ -9,7 +9,7 @@ namespace sphverify {
 /// Cold gas that runs into a wall, an axis or a point.
 struct NohProblem {
   /// In 2D and 3D errors are taken on gas that started nearer to the origin than this: the free surface,
-  /// whose nearest point started at 1, changes the density of what is within the kernel's 2h of it. [m]
+  /// whose nearest point started at 1, changes the density of what is within the kernel's support of it. [m]
   static constexpr double undisturbed = 0.85;
 
   static CaseInfo info() {

@@ -1,8 +1,7 @@
 #include "formulations/density/density.hpp"
 
-#include "formulations/kernels/cubic_spline.hpp"
-#include "formulations/walls/finite_face.hpp"
 #include "formulations/sweep/pair_sweep.hpp"
+#include "formulations/walls/finite_face.hpp"
 
 namespace sphverify {
 
@@ -10,11 +9,12 @@ template <int Dim>
 std::vector<double> summation_density(CellGrid<Dim> const& grid, SmoothingLength const& h,
                                       std::vector<double> const& mass) {
   std::vector<double> density(mass.size());
+  Kernel const& kernel = h.kernel();
   for (std::size_t i = 0; i < mass.size(); ++i) {
     double sum = 0.0;
     grid.for_each_within_reach(grid.positions()[i],
                                [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-                                 sum += mass[j] * CubicSpline<Dim>::value(distance, h(i));
+                                 sum += mass[j] * kernel.value(distance, h(i));
                                });
     density[i] = sum;
   }
@@ -26,22 +26,23 @@ void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Dom
                  int threads) {
   auto& density = particles.scalar(Field::density);
   PairSweep<Dim> sweep(neighbours, domain, threads);
-  sweep.add(sweep_kernels<Dim>().density, {Field::mass}, {}, density);
+  sweep.add(sweep_kernels<Dim>(particles.kernel().id()).density, {Field::mass}, {}, density);
   sweep.run(particles);
-  double const own = CubicSpline<Dim>::value(0.0, particles.smoothing_length());
+  double const own = particles.kernel().value(0.0, particles.smoothing_length());
   for (std::size_t i = 0; i < density.size(); ++i) density[i] += particles.masses()[i] * own;
 }
 
 template <int Dim>
-double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double h) {
-  return inner_fraction(x, walls, h);
+double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double h,
+                     Kernel const& kernel) {
+  return inner_fraction(x, walls, h, kernel);
 }
 
 #define SPHVERIFY_INSTANTIATE(Dim)                                                             \
   template std::vector<double> summation_density(CellGrid<Dim> const&, SmoothingLength const&, \
                                                  std::vector<double> const&);                  \
   template void sum_density(Particles<Dim>&, NeighbourList const&, Domain<Dim> const&, int);   \
-  template double kernel_inside(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double);
+  template double kernel_inside(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double, Kernel const&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

@@ -30,6 +30,7 @@ void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Dom
 /// Gamma at a point: the part of the kernel on the inner sides of all walls, in corners too
 /// (formulations/walls/finite_face.hpp).
 template <int Dim>
-double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double smoothing_length);
+double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double smoothing_length,
+                     Kernel const& kernel);
 
 }  // namespace sphverify

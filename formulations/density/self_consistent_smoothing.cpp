@@ -10,9 +10,8 @@
 #include <string>
 #include <utility>
 
-#include "formulations/kernels/cubic_spline.hpp"
-#include "formulations/density/density.hpp"
 #include "formulations/basics/parallel.hpp"
+#include "formulations/density/density.hpp"
 
 namespace sphverify {
 
@@ -33,8 +32,9 @@ class MissingMass {
   MissingMass(SelfConsistentSmoothing<Dim> const& all, std::size_t i, double guess)
       : place_(all.positions[i]),
         walls_(all.walls),
+        kernel_(all.kernel),
         guess_(guess),
-        whole_(std::pow(all.ratio, Dim) / CubicSpline<Dim>::sigma) {}
+        whole_(std::pow(all.ratio, Dim) / all.kernel.sigma()) {}
 
   /// What may be within the support at x, all of which is asked for before.
   void meet(double mass_ratio, double distance) {
@@ -46,15 +46,16 @@ class MissingMass {
     double sum = 0.0;
     for (std::size_t k = 0; k < distance_.size(); ++k) {
       double const q = distance_[k] / x;
-      if (q < CubicSpline<Dim>::support_ratio) sum += mass_ratio_[k] * CubicSpline<Dim>::shape(q);
+      if (q < kernel_.support_ratio()) sum += mass_ratio_[k] * kernel_.shape(q);
     }
-    if (!walls_.empty()) sum /= kernel_inside(place_, walls_, x * guess_);
+    if (!walls_.empty()) sum /= kernel_inside(place_, walls_, x * guess_, kernel_);
     return 1.0 - sum / whole_;
   }
 
  private:
   Vector<Dim> place_;
   std::vector<Wall<Dim>> const& walls_;
+  Kernel const& kernel_;
   double guess_;
   double whole_;
   std::vector<double> mass_ratio_;  ///< m_j/m_i
@@ -88,7 +89,7 @@ double root(MissingMass<Dim> const& missing, double upper, double at_upper, std:
 
 template <int Dim>
 void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) const {
-  constexpr double support = CubicSpline<Dim>::support_ratio;
+  double const support = kernel.support_ratio();
   double widest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < Dim; ++k) {
     if (domain.periodic[k]) widest = std::min(widest, 0.5 * domain.extent()[k]);
@@ -125,7 +126,7 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) 
       });
       double const at_upper = missing(upper);
       if (at_upper > 0.0) {
-        if (upper < widening) end[row] = fills_the_box;
+        if (support * widening * h[i] > widest) end[row] = fills_the_box;
         return;
       }
       h[i] *= root(missing, upper, at_upper, i);

@@ -21,13 +21,15 @@ struct SelfConsistentSmoothing {
   std::vector<Wall<Dim>> const& walls;  ///< that densities are normalised by; empty: Gamma = 1
   double ratio;                         ///< h/dx
   int threads;
+  Kernel const& kernel;
 
   /// Replaces a guess by the solution. [m] Round-off is all that the equations are missed by; of h that is
   /// 1e-13, but for particles so clumped that their own sum hardly depends on it.
   /// Throws std::invalid_argument, and leaves the guess as it was, where there is no solution (particles in
-  /// one place; a ratio at which a particle's own term is too much: below sigma^(1/Dim), which is 0.667, 0.674
-  /// and 0.683 in 1, 2 and 3 dimensions, and (2 sigma)^(1/Dim) on or outside a wall; a particle alone in the
-  /// open), where a support would be wider than half a periodic box, or where a number is not finite.
+  /// one place; a ratio at which a particle's own term is too much: below W(0)^(1/Dim) at h = 1, which for
+  /// the cubic spline is 0.667, 0.674 and 0.683 in 1, 2 and 3 dimensions, and below (2 W(0))^(1/Dim) on or
+  /// outside a wall; a particle alone in the open), where a support would be wider than half a periodic box,
+  /// or where a number is not finite.
   void solve(std::vector<double>& smoothing_length) const;
 };
 

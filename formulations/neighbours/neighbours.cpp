@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/parallel.hpp"
 #include "formulations/neighbours/candidates.hpp"
 #include "formulations/neighbours/list_dispatch.hpp"
@@ -353,7 +352,7 @@ NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& 
   if (h.is_uniform()) return find_neighbours(grid, threads, std::move(old));
   std::vector<double> half_reach(grid.positions().size());
   for (std::size_t i = 0; i < half_reach.size(); ++i) {
-    half_reach[i] = 0.5 * CubicSpline<Dim>::support_ratio * (1.0 + skin) * h(i);
+    half_reach[i] = 0.5 * (1.0 + skin) * h.support(i);
   }
   return ListBuilder<Dim>(grid, half_reach, threads).build(std::move(old));
 }

@@ -16,6 +16,12 @@ Particles<Dim>::Particles(std::size_t count, double smoothing_length)
 }
 
 template <int Dim>
+void Particles<Dim>::set_kernel(Kernel const& kernel) {
+  expects(kernel.dimension() == Dim);
+  kernel_ = &kernel;
+}
+
+template <int Dim>
 void Particles<Dim>::allocate(Field field) {
   if (has(field)) return;
   if (info(field).is_vector) {

@@ -5,8 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "formulations/particles/field.hpp"
 #include "formulations/basics/vector.hpp"
+#include "formulations/kernels/kernel.hpp"
+#include "formulations/particles/field.hpp"
 
 namespace sphverify {
 
@@ -51,6 +52,12 @@ class Particles {
   std::size_t size() const { return size_; }
   double smoothing_length() const { return smoothing_length_; }
 
+  /// The kernel that they have their smoothing lengths for: the default one until another is set.
+  Kernel const& kernel() const { return *kernel_; }
+  /// Expects a kernel of this dimension that lives as long as the particles, as those of kernel() in
+  /// kernel.hpp do.
+  void set_kernel(Kernel const& kernel);
+
   /// Gives every particle its own smoothing length, at first the common one.
   void vary_smoothing_length() { smoothing_lengths_.assign(size_, smoothing_length_); }
   /// Empty where all have the common one.
@@ -78,6 +85,7 @@ class Particles {
  private:
   std::size_t size_;
   double smoothing_length_;
+  Kernel const* kernel_ = &default_kernel(Dim);
   std::vector<double> smoothing_lengths_;
   std::array<std::vector<double>, field_infos.size()> scalars_;
   std::array<VectorField<Dim>, field_infos.size()> vectors_;

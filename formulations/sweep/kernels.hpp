@@ -430,19 +430,39 @@ constexpr std::array<FusedSweep, most_fused> all_fused(std::tuple<Schemes...> co
 }
 
 template <int Dim, class Kernel, class... Schemes>
+constexpr std::array<FusedSweep, most_fused> fused_if_wanted(std::tuple<Schemes...> const* list) {
+  if constexpr (SPHVERIFY_WITH_FUSED_LOOPS) {
+    return all_fused<Dim, Kernel>(list);
+  } else {
+    return {};
+  }
+}
+
+template <int Dim, class Kernel, class... Schemes>
 constexpr SweepKernels make_kernels(std::tuple<Schemes...> const* list, char const* name) {
   static_assert((IsScheme<Schemes> && ...), "a scheme has an `info`, and in `passes` the code of its first passes");
   static_assert(sizeof...(Schemes) <= most_schemes && 2 * sizeof...(Schemes) + 10 <= most_fused);
   return {.instruction_set = name,
           .rows = rows<Dim, Kernel>,
           .schemes = {loops_of<Schemes, Dim>()...},
-          .fused = all_fused<Dim, Kernel>(list),
+          .fused = fused_if_wanted<Dim, Kernel>(list),
           .continuity = sum_row<RateTerm<ContinuityDensity, Dim>, Dim>,
           .density = sum_row<DensityTerm<Dim, Kernel>, Dim>,
           .viscosity = sum_row<ViscosityTerm<Dim, Kernel>, Dim>,
           .approach = sum_row<ApproachTerm<Dim, Kernel>, Dim>,
           .conductances = conductances<Dim, Kernel>,
           .conduct = conduct};
+}
+
+#define SPHVERIFY_TEXT_OF(name) #name
+#define SPHVERIFY_NAME_OF(name) SPHVERIFY_TEXT_OF(name)
+
+/// All loops of a kernel; dispatch.cpp knows of them by this name alone.
+template <template <int> class Kernel, int Dim>
+SweepKernels const& loops() {
+  static constexpr SweepKernels all = make_kernels<Dim, Kernel<Dim>>(static_cast<AllSchemes const*>(nullptr),
+                                                                     SPHVERIFY_NAME_OF(SPHVERIFY_INSTRUCTION_SET));
+  return all;
 }
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

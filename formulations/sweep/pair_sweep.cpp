@@ -101,10 +101,10 @@ struct PairSweep<Dim>::Records {
 
 /// The loop made for just these terms, if there is one for such particles.
 template <int Dim>
-FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan) const {
+FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan, SweepKernels const& kernels) const {
   if (plan.slots.h >= 0 || plan.wrapping == Wrapping::turned) return nullptr;
   bool const drifts = plan.slots.u != plan.slots.v;
-  for (FusedSweep const& one : sweep_kernels<Dim>().fused) {
+  for (FusedSweep const& one : kernels.fused) {
     if (drifts && !one.reads_state_velocity) continue;
     std::size_t same = 0;
     while (same < terms_.size() && same < one.terms.size() && one.terms[same] == terms_[same].sum) ++same;
@@ -170,11 +170,12 @@ template <int Dim>
 void PairSweep<Dim>::run(Particles<Dim> const& particles, VectorField<Dim> const* state_velocity) {
   Records const records(reads_, particles, state_velocity, threads_);
   SweepPlan const sweep = plan(particles, records);
-  FusedSweep const* const made_for_this = fused(sweep);
+  SweepKernels const& kernels = sweep_kernels<Dim>(particles.kernel().id());
+  FusedSweep const* const made_for_this = fused(sweep, kernels);
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
     if (made_for_this) return made_for_this->rows(sweep, begin, end);
     double* const scratch = row_space.of(scratch_size(sweep.stride));
-    sweep_kernels<Dim>().rows(sweep, begin, end, scratch);
+    kernels.rows(sweep, begin, end, scratch);
   });
 }
 
@@ -185,10 +186,11 @@ std::vector<double> PairSweep<Dim>::conductances(void (*of_row)(Row const&, doub
   wants_radial_ = wants_separation_ = true;
   Records const records(reads, particles, nullptr, threads_);
   SweepPlan const sweep = plan(particles, records);
+  SweepKernels const& kernels = sweep_kernels<Dim>(particles.kernel().id());
   std::vector<double> all(neighbours_.pairs());
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
     double* const scratch = row_space.of(scratch_size(sweep.stride));
-    sweep_kernels<Dim>().conductances(sweep, of_row, begin, end, scratch, all.data());
+    kernels.conductances(sweep, of_row, begin, end, scratch, all.data());
   });
   return all;
 }

@@ -41,7 +41,7 @@ class PairSweep {
  private:
   struct Records;
 
-  FusedSweep const* fused(SweepPlan const& plan) const;
+  FusedSweep const* fused(SweepPlan const& plan, SweepKernels const& kernels) const;
   SweepPlan plan(Particles<Dim> const& particles, Records const& records) const;
 
   NeighbourList const& neighbours_;

@@ -50,7 +50,7 @@ void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& par
   for (int k = 0; k < Dim; ++k) out.push_back(rates.acceleration.component(k).data());
   out.push_back(rates.heating.data());
   out.push_back(rates.largest_mu.data());
-  sweep.add(sweep_kernels<Dim>().viscosity,
+  sweep.add(sweep_kernels<Dim>(particles.kernel().id()).viscosity,
             {Field::mass, Field::density, Field::velocity, Field::sound_speed}, {KernelWeight::gradient}, out,
             &viscosity);
 }

@@ -6,17 +6,18 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/expects.hpp"
+#include "formulations/basics/gauss.hpp"
 #include "formulations/basics/square.hpp"
 
-// Lengths are in units of h from here on; the kernel's shape w and its moments are those of face-weights.md.
+// Lengths are in units of h from here on; the kernel's shape w and its moments are those of Kernel and
+// face-weights.md.
 namespace sphverify {
 
 namespace {
 
-constexpr double support = 2.0;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Planes count as at least this far from the point, which spares the limits of solid angles at edges and
@@ -25,67 +26,31 @@ constexpr double least_distance = 1e-14;
 /// Sine of the angle below which two planes count as parallel.
 constexpr double parallel = 1e-12;
 
-/// int_q^2 w(q') q' dq'
-double first_moment_beyond(double q) {
-  if (q < 1.0) {
-    double const q2 = q * q;
-    return 0.35 - q2 * (0.5 - q2 * (0.375 - 0.15 * q));
-  }
-  double const p = std::max(0.0, 2.0 - q);
-  return square(square(p)) * (0.125 - 0.05 * p);
-}
-
-/// int_0^2 w q^2 dq
-constexpr double whole_second_moment = 0.25;
-
-/// -(1/q) int_0^q w(q') q'^2 dq' - int_q^2 w(q') q' dq': what is left of the potential of the flux that Gamma
-/// is made of when its pole `whole_second_moment`/q is taken away.
-double smooth_potential(double q) {
-  if (q < 1.0) {
-    double const q2 = q * q;
-    return -0.35 + q2 * (1.0 / 6.0 - q2 * (0.075 - 0.025 * q));
-  }
-  double const p = std::max(0.0, 2.0 - q);
-  double const p4 = square(square(p));
-  double const second_moment_beyond = p4 * (0.25 - p * (0.2 - p / 24.0));
-  return (second_moment_beyond - whole_second_moment) / q - p4 * (0.125 - 0.05 * p);
-}
-
-/// Gauss's 16 points.
-template <class Function>
-double gauss(Function const& f, double from, double to) {
-  constexpr std::array<double, 8> node{0.0950125098376374402, 0.281603550779258913, 0.458016777657227386,
-                                       0.617876244402643748,  0.755404408355003034, 0.865631202387831744,
-                                       0.944575023073232576,  0.989400934991649933};
-  constexpr std::array<double, 8> weight{0.189450610455068496,  0.182603415044923589, 0.169156519395002538,
-                                         0.149595988816576732,  0.124628971255533872, 0.0951585116824927848,
-                                         0.0622535239386478929, 0.0271524594117540949};
-  double const centre = 0.5 * (from + to);
-  double const half = 0.5 * (to - from);
-  double sum = 0.0;
-  for (std::size_t k = 0; k < node.size(); ++k) {
-    sum += weight[k] * (f(centre - half * node[k]) + f(centre + half * node[k]));
-  }
-  return half * sum;
+/// Half the length of what a circle of radius `reach` leaves of a line at distance rho from its centre.
+double half_chord(double reach, double rho) {
+  return std::sqrt(std::max(0.0, (reach - rho) * (reach + rho)));
 }
 
 /// Integral of f over part of a line at distance rho from the point, in pieces on which a function of the
-/// distance to the point is smooth: cut where it passes the kernel's knot, and opposite the point.
+/// distance to the point is smooth: cut where it passes a knot of the kernel, and opposite the point.
 template <class Function>
-double integral_along_line(Function const& f, double rho, double from, double to) {
-  double const knot = rho < 1.0 ? std::sqrt((1.0 - rho) * (1.0 + rho)) : 0.0;
-  std::array<double, 5> const ends{-infinity, -knot, 0.0, knot, infinity};
+double integral_along_line(Function const& f, double rho, double from, double to, Kernel const& kernel) {
   double sum = 0.0;
-  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
-    double const lower = std::max(from, ends[k]);
-    double const upper = std::min(to, ends[k + 1]);
-    if (lower < upper) sum += gauss(f, lower, upper);
+  double reached = 0.0;
+  auto const add = [&](double next) {
+    for (auto const& [side_from, side_to] : {std::pair(-next, -reached), std::pair(reached, next)}) {
+      double const lower = std::max(from, side_from);
+      double const upper = std::min(to, side_to);
+      if (lower < upper) sum += gauss(f, lower, upper);
+    }
+    reached = next;
+  };
+  for (double const knot : kernel.knots()) {
+    if (rho < knot) add(half_chord(knot, rho));
   }
+  add(infinity);
   return sum;
 }
-
-/// Half the length of what the support leaves of a line at distance rho from the point.
-double half_chord(double rho) { return std::sqrt(std::max(0.0, (support - rho) * (support + rho))); }
 
 /// A wall's plane as the point sees it.
 template <int Dim>
@@ -130,10 +95,11 @@ struct Edge {
 template <int Dim>
 class Face {
  public:
-  Face(std::vector<Plane<Dim>> const& planes, std::size_t index, bool whole = false)
+  /// @param support infinite: the whole face
+  Face(std::vector<Plane<Dim>> const& planes, std::size_t index, double support)
       : normal_(planes[index].normal),
         distance_(planes[index].distance),
-        radius_(whole ? infinity : half_chord(distance_)) {
+        radius_(support == infinity ? infinity : half_chord(support, distance_)) {
     find_cuts(planes, index);
     if (!is_empty_) find_edges();
   }
@@ -278,14 +244,14 @@ std::optional<Vector<Dim>> Face<Dim>::nearest_to_foot() const {
 /// what the triangle between foot point and edge adds to the integral of -V'(r)/r over a face at distance d.
 /// The pole of e/(e^2 + t^2) is none, since R -> d there.
 template <class Potential>
-double triangle(Potential const& V, double d, double e, double from, double to) {
+double triangle(Potential const& V, double d, double e, double from, double to, Kernel const& kernel) {
   if (e == 0.0) return 0.0;
   double const at_foot = V(d);
   double const e2 = e * e;
   double const rho2 = d * d + e2;
   return e *
          integral_along_line([&](double t) { return (at_foot - V(std::sqrt(rho2 + t * t))) / (e2 + t * t); },
-                             std::sqrt(rho2), from, to);
+                             std::sqrt(rho2), from, to, kernel);
 }
 
 /// The solid angle of that triangle, from the foot point of its edge to a place t on it.
@@ -296,35 +262,13 @@ double solid_angle(double d, double e, double t) {
   return std::atan2(t * e * squared / (R + d), e * e * R + t * t * d);
 }
 
-/// Integral of w over part of a line at distance d, between the places from < to along it.
-double line_integral(double d, double from, double to) {
-  double const d2 = d * d;
-  double const knot = d < 1.0 ? std::sqrt((1.0 - d) * (1.0 + d)) : 0.0;
-  auto const inner = [&](double s) {
-    double const q = std::sqrt(d2 + s * s);
-    double const cubes =
-        0.25 * s * q * q * q + 0.375 * d2 * (s * q + (d > 0.0 ? d2 * std::asinh(s / d) : 0.0));
-    return s - 1.5 * s * (d2 + s * s / 3.0) + 0.75 * cubes;
-  };
-  auto const outer = [&](double s) {
-    // 2 - q = (4 - q^2)/(2 + q) loses no digits where the kernel ends.
-    double const q = std::sqrt(d2 + s * s);
-    double const p = std::max(0.0, half_chord(d) - std::abs(s)) * (half_chord(d) + std::abs(s)) / (2.0 + q);
-    return 0.25 * p * p * p;
-  };
-  double sum = 0.0;
-  double const lower = std::max(from, -knot);
-  double const upper = std::min(to, knot);
-  if (lower < upper) sum += inner(upper) - inner(lower);
-  if (from < -knot) sum += gauss(outer, from, std::min(to, -knot));
-  if (to > knot) sum += gauss(outer, std::max(from, knot), to);
-  return sum;
+/// Integral of w over a face.
+double face_integral(Face<2> const& face, Kernel const& kernel) {
+  return kernel.line_integral(face.distance(), face.from(), face.to());
 }
 
-/// Integral of w over a face.
-double face_integral(Face<2> const& face) { return line_integral(face.distance(), face.from(), face.to()); }
-
-double face_integral(Face<3> const& face) {
+double face_integral(Face<3> const& face, Kernel const& kernel) {
+  auto const moment = [&kernel](double q) { return kernel.first_moment_beyond(q); };
   double const d = face.distance();
   if (face.depth() < -0.5 * face.radius()) {
     // From well outside the face: minus its boundary's integral of the moment, which loses no digits as the
@@ -335,15 +279,15 @@ double face_integral(Face<3> const& face) {
       sum -= e * integral_along_line(
                      [&](double t) {
                        double const squared = e * e + t * t;
-                       return first_moment_beyond(std::sqrt(d * d + squared)) / squared;
+                       return moment(std::sqrt(d * d + squared)) / squared;
                      },
-                     std::hypot(d, e), edge.from, edge.to);
+                     std::hypot(d, e), edge.from, edge.to, kernel);
     }
     return sum;
   }
-  double sum = first_moment_beyond(d) * face.opening();
+  double sum = moment(d) * face.opening();
   for (Edge<3> const& edge : face.edges())
-    sum += triangle(first_moment_beyond, d, edge.line.distance, edge.from, edge.to);
+    sum += triangle(moment, d, edge.line.distance, edge.from, edge.to, kernel);
   return sum;
 }
 
@@ -358,78 +302,83 @@ double area(Face<3> const& face) {
 
 /// Part of the kernel that a face takes away: the flux through it of a field that has the divergence -W, and
 /// one at the point.
-double flux(Face<1> const& face) { return 1.0 - CubicSpline<1>::inner_fraction(face.distance(), 1.0); }
-
-double flux(Face<2> const& face) {
-  double const d = face.distance();
-  double const angle = std::atan2(face.to(), d) - std::atan2(face.from(), d);
-  return CubicSpline<2>::sigma *
-         (first_moment_beyond(0.0) * angle - triangle(first_moment_beyond, 0.0, d, face.from(), face.to()));
+double flux(Face<1> const& face, Kernel const& kernel) {
+  return 1.0 - kernel.inner_fraction(face.distance(), 1.0);
 }
 
-double flux(Face<3> const& face) {
+double flux(Face<2> const& face, Kernel const& kernel) {
+  return kernel.sigma() * kernel.hidden_by_line(face.distance(), face.from(), face.to());
+}
+
+double flux(Face<3> const& face, Kernel const& kernel) {
   double const d = face.distance();
-  double sum = (whole_second_moment + d * smooth_potential(d)) * face.opening();
+  double const pole = kernel.whole_second_moment();
+  auto const potential = [&kernel](double q) { return kernel.smooth_potential(q); };
+  double sum = (pole + d * potential(d)) * face.opening();
   for (Edge<3> const& edge : face.edges()) {
     double const e = edge.line.distance;
-    sum += whole_second_moment * (solid_angle(d, e, edge.to) - solid_angle(d, e, edge.from));
-    sum += d * triangle(smooth_potential, d, e, edge.from, edge.to);
+    sum += pole * (solid_angle(d, e, edge.to) - solid_angle(d, e, edge.from));
+    sum += d * triangle(potential, d, e, edge.from, edge.to, kernel);
   }
-  return CubicSpline<3>::sigma * sum;
+  return kernel.sigma() * sum;
 }
 
 }  // namespace
 
 template <int Dim>
 double face_weight(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, std::size_t index, double h,
-                   FaceWeight rule) {
+                   FaceWeight rule, Kernel const& kernel) {
   expects(rule != FaceWeight::balanced && index < walls.size());
   double const d = walls[index].distance(x);
+  double const support = kernel.support_ratio();
   double const reach = support * h;
   if (d >= reach) return 0.0;
   bool alone = true;
   for (std::size_t w = 0; w < walls.size() && alone; ++w) alone = w == index || walls[w].distance(x) >= reach;
-  if (alone) return face_weight<Dim>(d, h, rule);
-  Face<Dim> const face(planes_around(x, walls, h, index, support), 0);
+  if (alone) return face_weight<Dim>(d, h, rule, kernel);
+  Face<Dim> const face(planes_around(x, walls, h, index, support), 0, support);
   if (face.is_empty()) return 0.0;
   if constexpr (Dim > 1) {
-    if (!face.is_cut()) return face_weight<Dim>(d, h, rule);
-    double const value = rule == FaceWeight::exact
-                             ? CubicSpline<Dim>::sigma * face_integral(face)
-                             : CubicSpline<Dim>::value(face.distance(), 1.0) * area(face);
+    if (!face.is_cut()) return face_weight<Dim>(d, h, rule, kernel);
+    double const value = rule == FaceWeight::exact ? kernel.sigma() * face_integral(face, kernel)
+                                                   : kernel.value(face.distance(), 1.0) * area(face);
     return std::max(0.0, value) / h;
   } else {
-    return face_weight<Dim>(d, h, rule);
+    return face_weight<Dim>(d, h, rule, kernel);
   }
 }
 
 template <int Dim>
-double inner_fraction(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double h) {
+double inner_fraction(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double h,
+                      Kernel const& kernel) {
+  double const support = kernel.support_ratio();
   double inside = 1.0;
   std::size_t near = 0;
   for (Wall<Dim> const& wall : walls) {
     double const d = std::max(0.0, wall.distance(x));  // a foot point may lie outside by round-off
     if (d >= support * h) continue;
     ++near;
-    inside -= 1.0 - CubicSpline<Dim>::inner_fraction(d, h);
+    inside -= 1.0 - kernel.inner_fraction(d, h);
   }
   if (near < 2) return inside;
   auto const planes = planes_around(x, walls, h, walls.size(), support);
   double lost = 0.0;
   bool cut = false;
   for (std::size_t f = 0; f < planes.size(); ++f) {
-    Face<Dim> const face(planes, f);
+    Face<Dim> const face(planes, f, support);
     cut = cut || face.is_cut() || face.is_empty();
-    if (!face.is_empty()) lost += flux(face);
+    if (!face.is_empty()) lost += flux(face, kernel);
   }
   return cut ? std::max(0.0, 1.0 - lost) : inside;
 }
 
 template <int Dim>
-double wall_interpolation_factor(Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls, double h) {
+double wall_interpolation_factor(Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls, double h,
+                                 Kernel const& kernel) {
+  double const reach = kernel.support_ratio() * h;
   auto const near = std::count_if(walls.begin(), walls.end(),
-                                  [&](Wall<Dim> const& wall) { return wall.distance(foot) < support * h; });
-  return near == 1 ? 2.0 : 1.0 / inner_fraction(foot, walls, h);
+                                  [&](Wall<Dim> const& wall) { return wall.distance(foot) < reach; });
+  return near == 1 ? 2.0 : 1.0 / inner_fraction(foot, walls, h, kernel);
 }
 
 template <int Dim>
@@ -440,19 +389,20 @@ std::optional<Vector<Dim>> nearest_on_face(Vector<Dim> const& x, std::vector<Wal
     return &wall == &walls[index] || wall.distance(foot) >= 0.0;
   });
   if (inside) return foot;
-  Face<Dim> const face(planes_around(x, walls, h, index, infinity), 0, true);
+  Face<Dim> const face(planes_around(x, walls, h, index, infinity), 0, infinity);
   if (face.is_empty()) return std::nullopt;
   auto const shift = face.nearest_to_foot();
   if (!shift) return std::nullopt;
   return foot + h * *shift;
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                       \
-  template double face_weight(Vector<Dim> const&, std::vector<Wall<Dim>> const&, std::size_t, double,    \
-                              FaceWeight);                                                               \
-  template double inner_fraction(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double);             \
-  template double wall_interpolation_factor(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double);  \
-  template std::optional<Vector<Dim>> nearest_on_face(Vector<Dim> const&, std::vector<Wall<Dim>> const&, \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                          \
+  template double face_weight(Vector<Dim> const&, std::vector<Wall<Dim>> const&, std::size_t, double,       \
+                              FaceWeight, Kernel const&);                                                   \
+  template double inner_fraction(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double, Kernel const&); \
+  template double wall_interpolation_factor(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double,      \
+                                            Kernel const&);                                                 \
+  template std::optional<Vector<Dim>> nearest_on_face(Vector<Dim> const&, std::vector<Wall<Dim>> const&,    \
                                                       std::size_t, double);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

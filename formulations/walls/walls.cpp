@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/expects.hpp"
+#include "formulations/basics/square.hpp"
 #include "formulations/walls/finite_face.hpp"
 #include "formulations/walls/wall_heat_balance.hpp"
 #include "formulations/walls/wall_riemann.hpp"
@@ -42,23 +42,25 @@ std::size_t WallContacts<Dim>::bytes() const {
 }
 
 template <int Dim>
-double face_weight(double d, double h, FaceWeight rule) {
-  if (rule != FaceWeight::campbell) return CubicSpline<Dim>::plane_integral(d, h);
-  if (d >= 2.0 * h) return 0.0;
-  double const squared_radius = 4.0 * h * h - d * d;  // of the disc that the support cuts out of the plane
+double face_weight(double d, double h, FaceWeight rule, Kernel const& kernel) {
+  if (rule != FaceWeight::campbell) return kernel.plane_integral(d, h);
+  double const support = kernel.support_ratio() * h;
+  if (d >= support) return 0.0;
+  double const squared_radius =
+      square(support) - d * d;  // of the disc that the support cuts out of the plane
   double const area = Dim == 1   ? 1.0
                       : Dim == 2 ? 2.0 * std::sqrt(squared_radius)
                                  : std::numbers::pi * squared_radius;
-  return CubicSpline<Dim>::value(d, h) * area;
+  return kernel.value(d, h) * area;
 }
 
 template <int Dim>
 double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls,
-                    double h, std::vector<double> const& mass) {
-  double const factor = wall_interpolation_factor(foot, walls, h);
+                    double h, std::vector<double> const& mass, Kernel const& kernel) {
+  double const factor = wall_interpolation_factor(foot, walls, h, kernel);
   double sum = 0.0;
   grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-    sum += mass[j] * (factor * CubicSpline<Dim>::value(distance, h));
+    sum += mass[j] * (factor * kernel.value(distance, h));
   });
   return sum;
 }
@@ -74,7 +76,7 @@ double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim
   grid.for_each_within_reach(
       grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
         if (j == i) return;
-        sum -= mass[j] / density[j] * CubicSpline<Dim>::radial(distance, h(i, j)) * separation.dot(normal);
+        sum -= mass[j] / density[j] * h.kernel().radial(distance, h(i, j)) * separation.dot(normal);
       });
   return sum;
 }
@@ -83,16 +85,17 @@ double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim
 /// @return foot_density() there; where it is 0 nothing is added
 template <int Dim>
 double add_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid, Vector<Dim> const& foot,
-                         std::vector<Wall<Dim>> const& walls, double h, std::vector<double> const& mass) {
-  double const factor = wall_interpolation_factor(foot, walls, h);
+                         std::vector<Wall<Dim>> const& walls, double h, std::vector<double> const& mass,
+                         Kernel const& kernel) {
+  double const factor = wall_interpolation_factor(foot, walls, h, kernel);
   std::size_t const before = contacts.interpolation_neighbour.size();
   double sum = 0.0;
   grid.for_each_within_reach(foot, [&](std::uint32_t j, Vector<Dim> const&, double distance) {
-    double const kernel = factor * CubicSpline<Dim>::value(distance, h);
-    if (kernel == 0.0) return;
+    double const value = factor * kernel.value(distance, h);
+    if (value == 0.0) return;
     contacts.interpolation_neighbour.push_back(j);
-    contacts.interpolation_kernel.push_back(kernel);
-    sum += mass[j] * kernel;
+    contacts.interpolation_kernel.push_back(value);
+    sum += mass[j] * value;
   });
   if (sum <= 0.0) {
     contacts.interpolation_neighbour.resize(before);
@@ -115,6 +118,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
                                      SmoothingLength const& smoothing_length, std::vector<double> const& mass,
                                      std::vector<double> const& density, FaceWeight rule) {
   VectorField<Dim> const& positions = grid.positions();
+  Kernel const& kernel = smoothing_length.kernel();
   WallContacts<Dim> contacts;
   auto const self = std::find_if(all_walls.begin(), all_walls.end(),
                                  [&](Wall<Dim> const& other) { return &other == &wall; });
@@ -134,13 +138,13 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
                                   ", expected a positive one");
     }
     double const h = smoothing_length(i);
-    double const reach = CubicSpline<Dim>::support_ratio * h;
+    double const reach = smoothing_length.support(i);
     if (d >= reach) continue;
     auto const foot = nearest_on_face(positions[i], all_walls, index, h);
     if (!foot) continue;
     bool const is_plane_s_own = *foot == wall.foot(positions[i]);  // else it may be out of reach
     if (!is_plane_s_own && (*foot - positions[i]).norm() >= reach) continue;
-    double const at_foot = add_interpolation(contacts, grid, *foot, all_walls, h, mass);
+    double const at_foot = add_interpolation(contacts, grid, *foot, all_walls, h, mass, kernel);
     if (at_foot <= 0.0) continue;  // alone, and at reach but for round-off
     contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
     contacts.foot_density.push_back(at_foot);
@@ -152,7 +156,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
     contacts.face_weight.push_back(
         balance ? balanced_face_weight(grid, i, wall.outward_normal, smoothing_length, mass, density)
                 : face_weight(positions[i], all_walls, index, h,
-                              rule == FaceWeight::balanced ? FaceWeight::exact : rule));
+                              rule == FaceWeight::balanced ? FaceWeight::exact : rule, kernel));
   }
 
   contacts.foot = VectorField<Dim>(contacts.size());
@@ -375,9 +379,9 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
 #define SPHVERIFY_INSTANTIATE(Dim)                                                                      \
   template struct Wall<Dim>;                                                                            \
   template struct WallContacts<Dim>;                                                                    \
-  template double face_weight<Dim>(double, double, FaceWeight);                                         \
+  template double face_weight<Dim>(double, double, FaceWeight, Kernel const&);                          \
   template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, std::vector<Wall<Dim>> const&, \
-                               double, std::vector<double> const&);                                     \
+                               double, std::vector<double> const&, Kernel const&);                      \
   template WallContacts<Dim> find_wall_contacts(                                                        \
       CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&,    \
       std::vector<double> const&, std::vector<double> const&, FaceWeight);                              \

@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "formulations/neighbours/cell_grid.hpp"
 #include "formulations/basics/flag_set.hpp"
+#include "formulations/neighbours/cell_grid.hpp"
 #include "formulations/particles/particles.hpp"
 #include "formulations/particles/smoothing_length.hpp"
 
@@ -126,12 +126,12 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
 /// reach of the foot point, 1/Gamma(r_B) takes the place of 2, which it stands for.
 template <int Dim>
 double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls,
-                    double smoothing_length, std::vector<double> const& mass);
+                    double smoothing_length, std::vector<double> const& mass, Kernel const& kernel);
 
 /// Face weight of one particle at distance d >= 0 from a plane that nothing cuts within the support, by a
 /// rule that needs the distance only (campbell, exact).  [1/m]
 template <int Dim>
-double face_weight(double d, double smoothing_length, FaceWeight rule);
+double face_weight(double d, double smoothing_length, FaceWeight rule, Kernel const& kernel);
 
 /// Fills the boundary values in `wanted`: what the wall prescribes at this time, else the closure's value.
 /// `flux` and `temperature` by Closure::one_sided need the other of the two, and the conductivity. Of a wall

@@ -82,13 +82,14 @@ Json describe_case(CaseInfo const& c) {
 }
 
 void add_words(std::vector<CatalogueEntry>& all) {
-  all.push_back({"kernels", "cubic-spline", "Cubic spline of support 2h", "Campbell 1989, Eq. 24", [] {
-                   return Json{{"equation",
-                                "W = sigma/h^D (1 - 3/2 q^2 + 3/4 q^3) for q = r/h < 1, "
-                                "sigma/h^D (2 - q)^3/4 for q < 2"},
-                               {"source", "Campbell 1989, Eq. 24; Monaghan & Lattanzio 1985"},
-                               {"parameters", Json::array({"smoothing_ratio [1.2]: h/dx"})}};
-                 }});
+  for (KernelInfo const& kernel : all_kernel_infos()) {
+    all.push_back({"kernels", std::string(kernel.id), std::string(kernel.title), std::string(kernel.source), [kernel] {
+                     return Json{{"equation", kernel.equation},
+                                 {"source", kernel.source},
+                                 {"support", fmt::format("{:g} h", kernel.support_ratio)},
+                                 {"parameters", Json::array({"smoothing_ratio [1.2]: h/dx, with this h"})}};
+                   }});
+  }
   all.push_back({"layouts", "lattice", "Particles at the centres of equal cells", "", [] {
                    return Json{
                        {"equation",

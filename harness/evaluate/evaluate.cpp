@@ -6,9 +6,8 @@
 #include <cmath>
 #include <span>
 
-#include "formulations/rate_operator.hpp"
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/finite.hpp"
+#include "formulations/rate_operator.hpp"
 #include "formulations/walls/finite_face.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/evaluate/state.hpp"
@@ -47,12 +46,13 @@ Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours
   Json remarks = Json::array();
   std::size_t const n = particles.size();
   if (n < 2) return remarks;
-  double const support = CubicSpline<Dim>::support_ratio * particles.smoothing_length();
+  double const ratio = particles.kernel().support_ratio();
+  double const support = ratio * particles.smoothing_length();
   std::size_t alone = 0;
   for (std::size_t i = 0; i < n; ++i) alone += neighbours.row(i).empty() ? 1 : 0;
   if (alone > 0) {
-    remarks.push_back(fmt::format("{} of {} particles have no other within their support, 2h = {:.3g} m",
-                                  alone, n, support));
+    remarks.push_back(fmt::format("{} of {} particles have no other within their support, {:g}h = {:.3g} m",
+                                  alone, n, ratio, support));
   }
   double extent = 0.0;
   for (int k = 0; k < Dim; ++k) {
@@ -61,9 +61,10 @@ Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours
     extent = std::max(extent, *high - *low);
   }
   if (support > extent) {
-    remarks.push_back(fmt::format(
-        "the support, 2h = {:.3g} m, is wider than all particles together, {:.3g} m: each feels every other",
-        support, extent));
+    remarks.push_back(
+        fmt::format("the support, {:g}h = {:.3g} m, is wider than all particles together, {:.3g} m: each "
+                    "feels every other",
+                    ratio, support, extent));
   }
   return remarks;
 }
@@ -118,31 +119,33 @@ Json evaluate_in_dimension(Node const& document) {
   State<Dim> state = read_state<Dim>(document);
   Particles<Dim>& particles = state.particles;
   double const h = particles.smoothing_length();
-  double const support = CubicSpline<Dim>::support_ratio * h;
+  SmoothingLength const smoothing(particles);
+  Kernel const& kernel = particles.kernel();
   PairGeometry<Dim> geometry;
   Json walls = Json::array();
   Json remarks;
   try {
-    CellGrid<Dim> const grid(particles.positions(), state.domain, support);
+    CellGrid<Dim> const grid(particles.positions(), state.domain, smoothing.support(0));
     geometry.domain = state.domain;
     geometry.neighbours = find_neighbours(grid);
     remarks = remarks_on(particles, geometry.neighbours);
     auto& density = particles.scalar(Field::density);
-    if (state.density_rule != DensityRule::given) density = summation_density(grid, h, particles.masses());
+    if (state.density_rule != DensityRule::given)
+      density = summation_density(grid, smoothing, particles.masses());
     if (state.density_rule == DensityRule::normalised) {
       for (std::size_t i = 0; i < density.size(); ++i) {
-        density[i] /= kernel_inside(particles.positions()[i], state.walls, h);
+        density[i] /= kernel_inside(particles.positions()[i], state.walls, h, kernel);
       }
     }
     geometry.walls = state.walls;
     for (Wall<Dim> const& wall : state.walls) {
-      geometry.contacts.push_back(
-          find_wall_contacts(grid, wall, state.walls, h, particles.masses(), density, state.face_weight));
+      geometry.contacts.push_back(find_wall_contacts(grid, wall, state.walls, smoothing, particles.masses(),
+                                                     density, state.face_weight));
       WallContacts<Dim> const& contacts = geometry.contacts.back();
       std::vector<double> at_foot(particles.size()), weight(particles.size(), 0.0);
       for (std::size_t i = 0; i < particles.size(); ++i) {
         auto const foot = nearest_on_face(particles.positions()[i], state.walls, walls.size(), h);
-        at_foot[i] = foot ? foot_density(grid, *foot, state.walls, h, particles.masses()) : 0.0;
+        at_foot[i] = foot ? foot_density(grid, *foot, state.walls, h, particles.masses(), kernel) : 0.0;
       }
       for (std::size_t c = 0; c < contacts.size(); ++c)
         weight[contacts.particle[c]] = contacts.face_weight[c];

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/scene/choices.hpp"
 
@@ -112,7 +111,7 @@ void require_room(Node const& particles, State<Dim> const& state) {
     if (!state.domain.periodic[k]) continue;
     double const lower = state.domain.lower[k];
     double const upper = state.domain.upper[k];
-    double const widest = (upper - lower) / (2.0 * CubicSpline<Dim>::support_ratio);
+    double const widest = (upper - lower) / (2.0 * state.particles.kernel().support_ratio());
     if (state.particles.smoothing_length() > widest) {
       particles.at("smoothing_length")
           .complain(
@@ -139,8 +138,6 @@ void require_state_keys(Node const& document) {
 
 template <int Dim>
 State<Dim> read_state(Node const& document) {
-  if (auto const kernel = document.find("kernel")) kernel->word({"cubic-spline"});
-
   Node const node = document.at("particles");
   std::vector<std::string> keys{"smoothing_length"};
   for (FieldInfo const& field : field_infos) {
@@ -159,6 +156,8 @@ State<Dim> read_state(Node const& document) {
       DensityRule::given,
       FaceWeight::exact,
       Closure::interpolated};
+  if (auto const id = document.find("kernel"))
+    state.particles.set_kernel(kernel(id->word(kernel_words()), Dim));
   node.at("mass");
   Node const density = node.at("density");
   for (FieldInfo const& field : field_infos) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/particles/smoothing_length.hpp"
 
 namespace sphverify {
@@ -26,7 +25,7 @@ bool reaches(Feature<Dim> const& feature, Particles<Dim> const& particles, Regio
   for (std::size_t i = 0; i < particles.size(); ++i)
     nearest = std::min(nearest, feature.distance(particles.positions()[i]));
   return std::any_of(region.particles.begin(), region.particles.end(), [&](std::size_t i) {
-    double const support = CubicSpline<Dim>::support_ratio * h(i);
+    double const support = h.support(i);
     return feature.width < h(i) && feature.distance(particles.positions()[i]) <= std::max(support, nearest);
   });
 }
@@ -39,7 +38,7 @@ double codimension_within(Feature<Dim> const& feature, Particles<Dim> const& par
   double near = 0.0;
   double far = 0.0;
   for (std::size_t const i : region.particles) {
-    double const support = CubicSpline<Dim>::support_ratio * h(i);
+    double const support = h.support(i);
     double const distance = feature.distance(particles.positions()[i]);
     if (distance < 2.0 * support) near += 1.0;
     if (distance < 4.0 * support) far += 1.0;

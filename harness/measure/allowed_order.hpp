@@ -23,11 +23,11 @@ inline constexpr double smooth_order = 2.0;
 NormSet feature_orders(double exponent, double codimension, double thinning = 1.0);
 
 /// The smallest of these over all features of a field that reach into a region: that have a particle of it
-/// within the support 2h, or nearer than any other particle. Empty where none does.
+/// within the support, or nearer than any other particle. Empty where none does.
 ///
 /// The regions `wall` and `corner` are as thin as the smearing itself. What counts there is the share of the
 /// region within some distance of the feature: it goes as a power of the distance that is found by counting,
-/// within 4h and 8h, and which is 0 where the feature runs along the wall.
+/// within two supports and four, and which is 0 where the feature runs along the wall.
 template <int Dim>
 std::optional<NormSet> allowed_orders(Field field, Features<Dim> const& features,
                                       Particles<Dim> const& particles, Region const& region);

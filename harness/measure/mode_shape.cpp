@@ -27,7 +27,7 @@ Mode mode_shape(std::complex<double> eigenvalue, Eigen::Ref<Eigen::VectorXcd con
   Vector<Dim> centre = Vector<Dim>::Zero();
   double whole = 0.0;
   double near_wall = 0.0;
-  double const reach = 2.0 * particles.smoothing_length();
+  double const reach = particles.kernel().support_ratio() * particles.smoothing_length();
   for (std::size_t i = 0; i < n; ++i) {
     double squared = 0.0;
     for (std::size_t c = 0; c < components; ++c) squared += std::norm(at(i, c));

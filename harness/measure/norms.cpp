@@ -5,7 +5,6 @@
 #include <iterator>
 #include <limits>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/expects.hpp"
 #include "formulations/basics/finite.hpp"
 #include "formulations/particles/smoothing_length.hpp"
@@ -68,7 +67,7 @@ std::vector<Region> regions(Particles<Dim> const& particles, std::vector<Wall<Di
     if (counts && !counts(i)) continue;
     double nearest = std::numeric_limits<double>::infinity();
     for (Wall<Dim> const& one : walls) nearest = smaller(nearest, one.distance(particles.positions()[i]));
-    double const support = CubicSpline<Dim>::support_ratio * h(i);
+    double const support = h.support(i);
     all.particles.push_back(i);
     if (nearest < support) wall.particles.push_back(i);
     if (nearest < support && is_in_corner(particles.positions()[i], walls, support))

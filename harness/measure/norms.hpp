@@ -18,15 +18,16 @@ namespace sphverify {
 /// sum.
 NormSet norms(std::span<double const> values, std::span<double const> weights);
 
-/// Which particles an error is taken over. Two-pass forms feel a wall to twice the support, 4h.
+/// Which particles an error is taken over. Two-pass forms feel a wall to twice the support.
 struct Region {
   std::string name;
   std::vector<std::size_t> particles;
 };
 
-/// `all`; `wall`: within the support 2h of a wall; `corner`: of those, within 2h of two that are not
-/// parallel; `interior`: beyond 4h from every wall; `smooth`, where there are features: beyond 4h and
-/// `smooth_margin` from every one of them. Regions without particles are left out.
+/// `all`; `wall`: within the support of a wall (2h with the cubic spline); `corner`: of those, within it of
+/// two that are not parallel; `interior`: beyond two supports from every wall; `smooth`, where there are
+/// features: beyond two supports and `smooth_margin` from every one of them. Regions without particles are
+/// left out.
 /// @param counts which particles count at all; empty: all of them
 /// @param features of the exact solution; a wide one that the particles resolve is none
 /// @param smooth_margin [m]

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "cases/support/problem.hpp"
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/particles/smoothing_length.hpp"
 #include "reports/extremes.hpp"
 #include "reports/results.hpp"
@@ -58,7 +57,7 @@ Number exact_wall_flux(VectorFunction<Dim> const& flux, Wall<Dim> const& wall,
   double weight = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     Vector<Dim> const x = particles.positions()[i];
-    if (wall.distance(x) >= CubicSpline<Dim>::support_ratio * h(i)) continue;
+    if (wall.distance(x) >= h.support(i)) continue;
     sum -= volumes[i] * flux(wall.foot(x), time).dot(wall.outward_normal);
     weight += volumes[i];
   }

@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/kernels/kernel.hpp"
 
 namespace sphverify {
 
 template <int Dim>
 void remark_on_support(Problem<Dim> const& problem, RunRecord& record) {
-  double const width = 2.0 * CubicSpline<Dim>::support_ratio * record.smoothing_length;
+  double const width =
+      2.0 * kernel(record.discretisation.kernel, Dim).support_ratio() * record.smoothing_length;
   for (int k = 0; k < Dim; ++k) {
     double const extent = problem.domain.extent()[k];
     if (problem.domain.periodic[static_cast<std::size_t>(k)] || !(width > extent)) continue;

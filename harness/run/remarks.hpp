@@ -8,7 +8,7 @@ namespace sphverify {
 /// How remarks on a support begin.
 inline constexpr char const* wide_support = "support wider than the domain";
 
-/// Remarks on a support, 2h to either side, that is wider than the domain between its walls: every particle
+/// Remarks on a support to either side that is wider than the domain between its walls: every particle
 /// then feels a wall, and what is measured says nothing of the form inside. Along a periodic axis it is
 /// refused.
 template <int Dim>

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "formulations/density/density.hpp"
+#include "formulations/kernels/kernel.hpp"
 #include "formulations/walls/walls.hpp"
 #include "harness/study/words.hpp"
 
@@ -13,6 +16,13 @@ inline constexpr Words<DensityRule, 4> density_words{{{{"given", DensityRule::gi
                                                        {"summation", DensityRule::summation},
                                                        {"normalised", DensityRule::normalised},
                                                        {"continuity", DensityRule::continuity}}}};
+
+/// Kernels that documents may name.
+inline std::vector<std::string> kernel_words() {
+  std::vector<std::string> words;
+  for (KernelInfo const& one : all_kernel_infos()) words.emplace_back(one.id);
+  return words;
+}
 
 inline constexpr Words<FaceWeight, 3> face_weight_words{
     {{{"campbell", FaceWeight::campbell}, {"exact", FaceWeight::exact}, {"balanced", FaceWeight::balanced}}}};

@@ -6,9 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
-#include "formulations/kernels/cubic_spline.hpp"
-#include "formulations/density/self_consistent_smoothing.hpp"
 #include "formulations/basics/parallel.hpp"
+#include "formulations/density/self_consistent_smoothing.hpp"
 #include "harness/scene/list_skin.hpp"
 
 namespace sphverify {
@@ -82,24 +81,26 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
   ++passes_["wall-contacts"];
 }
 
-/// By how much, in smoothing lengths, places and smoothing lengths have changed since the list was found. It
-/// holds every pair that was closer than (1 + skin)(h_i + h_j), and a pair is now closer than h_i + h_j only
-/// if it was closer than that plus what both have moved. Infinite where a place is not a number.
+/// By how much, in half supports, places and smoothing lengths have changed since the list was found. With
+/// s_i the half of a support it holds every pair that was closer than (1 + skin)(s_i + s_j), and a pair is
+/// now closer than s_i + s_j only if it was closer than that plus what both have moved. Infinite where a
+/// place is not a number.
 template <int Dim>
 double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
   SmoothingLength const h(particles);
+  double const support_ratio = h.kernel().support_ratio();
   double used = 0.0;
   double farthest = 0.0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
     Vector<Dim> const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]);
-    double const of_one =
-        (h(i) + moved.norm()) / (h.is_uniform() ? found_with_.front() : found_with_[i]) - 1.0;
+    double const of_one = (h(i) + moved.norm() / (0.5 * support_ratio)) /
+                              (h.is_uniform() ? found_with_.front() : found_with_[i]) -
+                          1.0;
     if (!std::isfinite(of_one)) return std::numeric_limits<double>::infinity();
     used = std::max(used, of_one);
     farthest = std::max(farthest, moved.norm());
   }
   // The grid is asked for all within the largest support, whoever has moved.
-  constexpr double support_ratio = CubicSpline<Dim>::support_ratio;
   double const found_with = *std::max_element(found_with_.begin(), found_with_.end());
   return std::max(used, (h.largest() + farthest / support_ratio) / found_with - 1.0);
 }
@@ -107,7 +108,7 @@ double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
 template <int Dim>
 void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin) {
   SmoothingLength const h(particles);
-  double const support = CubicSpline<Dim>::support_ratio * h.largest();
+  double const support = h.kernel().support_ratio() * h.largest();
   // Where a periodic axis is just long enough for the support, there is no room for a skin.
   double reach = (1.0 + std::max(skin, least_skin)) * support;
   for (int k = 0; k < Dim; ++k) {
@@ -144,8 +145,9 @@ void MovingGeometry<Dim>::set_density(Particles<Dim>& particles, CellGrid<Dim> c
   }
   ++passes_["density-summation"];
   if (choice_.density != DensityRule::normalised || walls.empty()) return;
-  for_each_row(density.size(), choice_.threads,
-               [&](std::size_t i) { density[i] /= kernel_inside(particles.positions()[i], walls, h(i)); });
+  for_each_row(density.size(), choice_.threads, [&](std::size_t i) {
+    density[i] /= kernel_inside(particles.positions()[i], walls, h(i), h.kernel());
+  });
   ++passes_["density-normalisation"];
 }
 
@@ -167,6 +169,7 @@ void MovingGeometry<Dim>::solve_smoothing_length(Particles<Dim>& particles,
       particles.positions(),   particles.masses(),
       geometry_.domain,        choice_.density == DensityRule::normalised ? walls : none,
       choice_.smoothing_ratio, choice_.threads,
+      particles.kernel(),
   };
   equations.solve(particles.smoothing_lengths());
 }

@@ -7,10 +7,9 @@
 #include <limits>
 #include <numeric>
 
-#include "formulations/sweep/approach.hpp"
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/expects.hpp"
 #include "formulations/basics/parallel.hpp"
+#include "formulations/sweep/approach.hpp"
 #include "formulations/walls/wall_out_of_reach.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
@@ -87,6 +86,7 @@ void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
   spacing_ = layout.spacing;
   std::size_t const n = layout.volumes.size();
   particles_ = Particles<Dim>(n, choice.smoothing_ratio * spacing_);
+  particles_.set_kernel(kernel(choice.discretisation.kernel, Dim));
   for (std::size_t i = 0; i < n; ++i) {
     particles_.masses()[i] =
         problem_.scalars.at(Field::density)(layout.positions[i], 0.0) * layout.volumes[i];
@@ -129,7 +129,7 @@ std::vector<double> MovingScene<Dim>::released_energy() const {
   for (std::size_t i = 0; i < n; ++i) {
     Vector<Dim> const r =
         problem_.domain.nearest_image(particles_.positions()[i] - problem_.point_energy->place);
-    energy[i] = CubicSpline<Dim>::value(r.norm(), particles_.smoothing_length());
+    energy[i] = particles_.kernel().value(r.norm(), particles_.smoothing_length());
     sum += particles_.masses()[i] * energy[i];
   }
   if (!(sum > 0.0)) throw std::invalid_argument("no particle is near the point at which energy is released");
@@ -451,7 +451,7 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   auto const& v = particles_.vector(Field::velocity);
   std::vector<double> rates_of_approach(particles_.size());
   PairSweep<Dim> sweep(geometry().neighbours, geometry().domain, threads_);
-  sweep.add(sweep_kernels<Dim>().approach, {Field::velocity}, {}, rates_of_approach);
+  sweep.add(sweep_kernels<Dim>(particles_.kernel().id()).approach, {Field::velocity}, {}, rates_of_approach);
   sweep.run(particles_);
   double courant = infinity, force = infinity, viscosity = infinity, conduction = infinity, approach = 0.0;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -495,7 +495,7 @@ std::string MovingScene<Dim>::closest_approach() const {
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     for (std::uint32_t const j : geometry().neighbours.row(i)) {
       Vector<Dim> const r_ij = problem_.domain.nearest_image(x[i] - x[j]);
-      if (r_ij.norm() >= CubicSpline<Dim>::support_ratio * h(i, j)) continue;
+      if (r_ij.norm() >= h.support(i, j)) continue;
       double const rate = rate_of_approach<Dim>(-(v[i] - v[j]).dot(r_ij), r_ij.squaredNorm(), h(i, j));
       if (rate <= fastest) continue;
       fastest = rate;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/basics/parallel.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/place.hpp"
@@ -29,6 +28,7 @@ void Scene<Dim>::place_particles(SceneChoice const& choice) {
   ++passes_["layout"];
   spacing_ = layout.spacing;
   particles_ = Particles<Dim>(layout.volumes.size(), choice.smoothing_ratio * spacing_);
+  particles_.set_kernel(kernel(choice.discretisation.kernel, Dim));
   auto const& density = problem_.scalars.at(Field::density);
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     particles_.masses()[i] = density(layout.positions[i], 0.0) * layout.volumes[i];
@@ -42,9 +42,8 @@ void Scene<Dim>::place_particles(SceneChoice const& choice) {
 
 template <int Dim>
 void Scene<Dim>::find_geometry(SceneChoice const& choice) {
-  double const h = particles_.smoothing_length();
-  double const support = CubicSpline<Dim>::support_ratio * h;
-  CellGrid<Dim> const grid(particles_.positions(), problem_.domain, support);
+  SmoothingLength const h(particles_);
+  CellGrid<Dim> const grid(particles_.positions(), problem_.domain, h.kernel().support_ratio() * h.largest());
   geometry_.domain = problem_.domain;
   geometry_.neighbours = find_neighbours(grid, threads_);
   ++passes_["neighbour-search"];
@@ -61,7 +60,7 @@ void Scene<Dim>::find_geometry(SceneChoice const& choice) {
   }
   if (rule == DensityRule::normalised && !problem_.walls.empty()) {
     for (std::size_t i = 0; i < density.size(); ++i) {
-      density[i] /= kernel_inside(particles_.positions()[i], problem_.walls, h);
+      density[i] /= kernel_inside(particles_.positions()[i], problem_.walls, h(i), h.kernel());
     }
     ++passes_["density-normalisation"];
   }

@@ -10,9 +10,9 @@ namespace sphverify {
 
 namespace {
 
+/// @param support in dx, as everywhere here
 template <int Dim>
-double neighbours_per_particle(double smoothing_ratio) {
-  double const support = 2.0 * smoothing_ratio;  // in dx
+double neighbours_per_particle(double support) {
   if (Dim == 1) return 2.0 * support;
   if (Dim == 2) return std::numbers::pi * support * support;
   return 4.0 / 3.0 * std::numbers::pi * support * support * support;
@@ -20,13 +20,12 @@ double neighbours_per_particle(double smoothing_ratio) {
 
 /// Particles are 1/resolution of the first axis apart.
 template <int Dim>
-double contacts_per_particle(Problem<Dim> const& problem, int resolution, double smoothing_ratio) {
+double contacts_per_particle(Problem<Dim> const& problem, int resolution, double support) {
   Vector<Dim> const extent = problem.domain.extent();
-  double const support = 2.0 * smoothing_ratio * extent[0] / resolution;
+  double const reach = support * extent[0] / resolution;
   double sum = 0.0;
   for (int axis = 0; axis < Dim; ++axis) {
-    if (!problem.domain.periodic[static_cast<std::size_t>(axis)])
-      sum += std::min(1.0, support / extent[axis]);
+    if (!problem.domain.periodic[static_cast<std::size_t>(axis)]) sum += std::min(1.0, reach / extent[axis]);
   }
   return problem.walls.empty() ? 0.0 : 2.0 * sum;
 }
@@ -47,16 +46,16 @@ double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout
 }
 
 double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
-                       double smoothing_ratio) {
+                       double support) {
   return std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
-        return particle_count(p.domain, layout, resolution) * neighbours_per_particle<Dim>(smoothing_ratio);
+        return particle_count(p.domain, layout, resolution) * neighbours_per_particle<Dim>(support);
       },
       problem);
 }
 
 double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem const& problem,
-                       LayoutChoice const& layout, int resolution, double smoothing_ratio) {
+                       LayoutChoice const& layout, int resolution, double support) {
   return std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
         // Indices of neighbours, in part twice while a list is made. In moving lists a skin is included;
@@ -70,11 +69,10 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
         double const per_particle = (moves(kind) ? 350.0 : 215.0) + 8.0 * copied;
         // Whom a wall's foot point interpolates from, more than once while it is found anew.
         double const per_interpolated = moves(kind) ? 30.0 : 8.0;
-        double const neighbours = neighbours_per_particle<Dim>(smoothing_ratio);
+        double const neighbours = neighbours_per_particle<Dim>(support);
         return particle_count(p.domain, layout, resolution) *
                (per_particle +
-                neighbours *
-                    (per_pair + per_interpolated * contacts_per_particle(p, resolution, smoothing_ratio)));
+                neighbours * (per_pair + per_interpolated * contacts_per_particle(p, resolution, support)));
       },
       problem);
 }

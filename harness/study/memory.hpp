@@ -13,10 +13,10 @@ namespace sphverify {
 /// peaks of runs in 2D and 3D at h/dx = 1.2 (tests/cli/test_memory.py); two-pass forms on particles at rest
 /// take less.
 /// @param integrator of a moving gas; leapfrog keeps fewest copies
-/// @param smoothing_ratio h/dx at this resolution
+/// @param support of the kernel at this resolution [dx]
 /// Throws std::invalid_argument for a layout that the problem's dimension does not have.
 double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem const& problem,
-                       LayoutChoice const& layout, int resolution, double smoothing_ratio);
+                       LayoutChoice const& layout, int resolution, double support);
 
 /// Why the problem's dimension does not have a layout; empty if it does.
 std::string why_not(AnyProblem const& problem, LayoutChoice const& layout);
@@ -25,8 +25,7 @@ std::string why_not(AnyProblem const& problem, LayoutChoice const& layout);
 double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout, int resolution);
 
 /// Pairs of neighbours that a run would have, each counted from both sides.
-/// @param smoothing_ratio h/dx at this resolution
-double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
-                       double smoothing_ratio);
+/// @param support of the kernel at this resolution [dx]
+double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution, double support);
 
 }  // namespace sphverify

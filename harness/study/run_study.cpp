@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "formulations/basics/fork_join.hpp"
+#include "formulations/kernels/kernel.hpp"
 #include "harness/measure/series.hpp"
 #include "harness/measure/surface.hpp"
 #include "harness/study/available_memory.hpp"
@@ -27,14 +28,18 @@ namespace sphverify {
 
 namespace {
 
+/// In dx.
+double support_of(RunSpec const& run) {
+  return kernel(run.discretisation.kernel, 1).support_ratio() * run.smoothing_ratio;
+}
+
 /// How many of the largest runs fit into memory together.
 int jobs_that_fit(Expansion const& expansion) {
   double largest = 0.0;
   for (RunSpec const& run : expansion.runs) {
-    largest =
-        std::max(largest, estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator,
-                                          run.scene_case->problem(run.parameters), run.discretisation.layout,
-                                          run.resolution, run.smoothing_ratio));
+    largest = std::max(largest, estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator,
+                                                run.scene_case->problem(run.parameters),
+                                                run.discretisation.layout, run.resolution, support_of(run)));
   }
   double const jobs = available_memory() / std::max(largest, 1.0);
   return jobs < 1e6 ? std::max(1, static_cast<int>(jobs)) : 1'000'000;
@@ -67,7 +72,7 @@ std::vector<RunProgress> progress_of(Expansion const& expansion) {
       if (!is_same) problem.reset();
     }
     if (!problem) problem = run.scene_case->problem(run.parameters);
-    one.work = estimated_work(*problem, run.discretisation.layout, run.resolution, run.smoothing_ratio);
+    one.work = estimated_work(*problem, run.discretisation.layout, run.resolution, support_of(run));
     all.push_back(one);
   }
   return all;

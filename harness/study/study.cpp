@@ -182,6 +182,9 @@ void require_memory(Study const& study, Node const& document) {
       ratio = std::max(ratio, nominal * std::pow(refinement, exponent));
     }
   }
+  double support = 0.0;
+  for (std::string const& id : study.kernels)
+    support = std::max(support, kernel(id, 1).support_ratio() * ratio);
   for (StudyCase const& one : study.cases) {
     AnyProblem const problem = one.scene_case->problem(one.parameters);
     // What takes least of those that are asked for: the others may be skipped.
@@ -193,7 +196,7 @@ void require_memory(Study const& study, Node const& document) {
     for (LayoutChoice const& layout : study.layouts) {
       if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
       double const bytes =
-          estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, ratio);
+          estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, support);
       if (bytes <= memory) continue;
       throw UserError(
           document.file(), "resolution",
@@ -281,7 +284,7 @@ Study read_study(Node const& document) {
       }
     }
   }
-  study.kernels = read_words(find_choice(document, "kernel"), {"cubic-spline"}, {"cubic-spline"});
+  study.kernels = read_words(find_choice(document, "kernel"), kernel_words(), {kernel_words().front()});
   study.densities = read_words(find_choice(document, "density"), density_words.all(),
                                defaults(study.cases, "given", "continuity"));
   study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), {"exact"});

@@ -27,9 +27,8 @@ struct Taken {
 
 }  // namespace
 
-double estimated_work(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
-                      double smoothing_ratio) {
-  return estimated_pairs(problem, layout, resolution, smoothing_ratio) * resolution;
+double estimated_work(AnyProblem const& problem, LayoutChoice const& layout, int resolution, double support) {
+  return estimated_pairs(problem, layout, resolution, support) * resolution;
 }
 
 std::optional<double> seconds_left(std::vector<RunProgress> const& runs, int at_a_time) {

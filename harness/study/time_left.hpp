@@ -20,9 +20,8 @@ struct RunProgress {
 
 /// About what a run does: pairs of neighbours times steps, whose length falls as the spacing does. Meant for
 /// ratios between runs, not for times.
-/// @param smoothing_ratio h/dx at this resolution
-double estimated_work(AnyProblem const& problem, LayoutChoice const& layout, int resolution,
-                      double smoothing_ratio);
+/// @param support of the kernel at this resolution [dx]
+double estimated_work(AnyProblem const& problem, LayoutChoice const& layout, int resolution, double support);
 
 /// About how long the rest of a study takes [s]. A run that is not finished is expected to take the mean of
 /// the finished ones of its kind and work; else the mean of those of its kind whose work is nearest, times

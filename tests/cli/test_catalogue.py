@@ -57,7 +57,7 @@ CASES = {  # with the parameters and defaults of the contract
 IDENTIFIERS = {
     "formulations": FORMULATIONS,
     "cases": set(CASES),
-    "kernels": {"cubic-spline"},
+    "kernels": {"cubic-spline", "quintic-spline", "wendland-c2", "wendland-c4", "wendland-c6"},
     "layouts": {"lattice", "jittered"},
     "measures": {"error", "conservation", "cost", "stability", "profile", "history", "spectrum"},
 }

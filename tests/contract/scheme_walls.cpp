@@ -1,6 +1,6 @@
 #include <boost/test/unit_test.hpp>
 
-#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/kernels/kernel.hpp"
 #include "tests/support/random_particles.hpp"
 
 BOOST_AUTO_TEST_SUITE(scheme_walls)
@@ -201,7 +201,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(along_a_wall_a_gradient_is_felt_by_the_part_of_the
         if (across.template lpNorm<Eigen::Infinity>() > 0.6 * spacing) continue;  // the middle sees no edge
         double const d = wall.distance(p.positions()[i]);
         if (d > 0.5 * spacing * side) continue;
-        double const inside = CubicSpline<Dim>::inner_fraction(d, ratio * spacing);
+        double const inside = default_kernel(Dim).inner_fraction(d, ratio * spacing);
         BOOST_TEST(rates.acceleration[i][1] == -slope * inside, boost::test_tools::tolerance(0.02));
       }
     }

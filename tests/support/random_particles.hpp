@@ -135,11 +135,11 @@ void randomise_fields(Particles<Dim>& particles, Random& random) {
 /// one dimension they meet in a corner), the first particle 0.2 h from each.
 template <int Dim>
 RandomScene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryValueSet first = no_flux,
-                        BoundaryValueSet second = no_flux) {
+                              BoundaryValueSet second = no_flux) {
   Random random(seed);
   double const h = 1.3 * std::pow(static_cast<double>(count), -1.0 / Dim);
   RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
-                   .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
+                         .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
   for (std::size_t i = 0; i < count; ++i) scene.particles.positions().set(i, random.vector<Dim>(0.0, 1.0));
   randomise_fields(scene.particles, random);
   Vector<Dim> normal = random.direction<Dim>();
@@ -163,7 +163,7 @@ RandomScene<Dim> lattice_scene(int side, double spacing, double smoothing_ratio)
   for (int k = 0; k < Dim; ++k) count *= static_cast<std::size_t>(side);
   Vector<Dim> const corner = Vector<Dim>::Constant(0.5 * spacing * side);
   RandomScene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio * spacing),
-                   .domain = {.lower = -corner, .upper = corner}};
+                         .domain = {.lower = -corner, .upper = corner}};
   scene.particles.allocate(all_fields);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t rest = i;
@@ -218,7 +218,8 @@ inline std::vector<std::uint32_t> sorted_row(NeighbourList const& list, std::siz
 template <int Dim>
 PairGeometry<Dim> geometry_of(RandomScene<Dim> const& scene, bool with_walls = true) {
   SmoothingLength const h(scene.particles);
-  CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h.largest());
+  CellGrid<Dim> const grid(scene.particles.positions(), scene.domain,
+                           h.kernel().support_ratio() * h.largest());
   PairGeometry<Dim> geometry;
   geometry.domain = scene.domain;
   geometry.neighbours = find_neighbours(grid, h);
@@ -250,7 +251,8 @@ struct Rates {
 };
 
 template <int Dim>
-Rates<Dim> evaluate(RandomScene<Dim> scene, std::string_view id, PairGeometry<Dim> geometry, int threads = 1) {
+Rates<Dim> evaluate(RandomScene<Dim> scene, std::string_view id, PairGeometry<Dim> geometry,
+                    int threads = 1) {
   auto const scheme = make_rate_operator<Dim>(id);
   scene.particles.allocate(needed_fields(scheme->info()));
   Rates<Dim> rates;
@@ -269,7 +271,8 @@ Rates<Dim> evaluate(RandomScene<Dim> scene, std::string_view id, PairGeometry<Di
 }
 
 template <int Dim>
-Rates<Dim> evaluate(RandomScene<Dim> const& scene, std::string_view id, bool with_walls = true, int threads = 1) {
+Rates<Dim> evaluate(RandomScene<Dim> const& scene, std::string_view id, bool with_walls = true,
+                    int threads = 1) {
   return evaluate(scene, id, geometry_of(scene, with_walls), threads);
 }
 

@@ -8,7 +8,8 @@
 #include "formulations/density/density.hpp"
 #include "tests/support/random_particles.hpp"
 
-// The states and rates of tests/data/operators-*d.json, which an independent prototype computed.
+// The states and rates of tests/data/operators-*d.json, which an independent prototype computed, and those of
+// kernels.json with kernels other than the cubic spline.
 BOOST_AUTO_TEST_SUITE(formulations_reference)
 
 using namespace sphverify;
@@ -18,12 +19,23 @@ using Json = nlohmann::json;
 constexpr double limit = 1e-10;  ///< relative to the largest value of a list
 constexpr std::string_view without_walls = "-no-walls";
 
-Json document(int dimension) {
-  std::string const path =
-      std::string(SPHVERIFY_TEST_DATA) + "/operators-" + std::to_string(dimension) + "d.json";
+Json read(std::string const& name) {
+  std::string const path = std::string(SPHVERIFY_TEST_DATA) + "/" + name;
   std::ifstream file(path);
   BOOST_TEST_REQUIRE(file.good(), path);
   return Json::parse(file);
+}
+
+Json document(int dimension) { return read("operators-" + std::to_string(dimension) + "d.json"); }
+
+/// With the states of other kernels.
+Json document_of_all_kernels(int dimension) {
+  Json all = document(dimension);
+  for (Json const& entry : read("kernels.json")) {
+    if (entry.at("state").at("dimension") == dimension) all.push_back(entry);
+  }
+  BOOST_TEST(all.size() >= 5u);
+  return all;
 }
 
 std::vector<double> numbers_of(Json const& list) { return list.get<std::vector<double>>(); }
@@ -47,7 +59,8 @@ RandomScene<Dim> scene_of(Json const& state) {
   Json const& data = state.at("particles");
   std::size_t const n = data.at("mass").size();
   RandomScene<Dim> scene{.particles = Particles<Dim>(n, data.at("smoothing_length").get<double>()),
-                   .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
+                         .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
+  scene.particles.set_kernel(kernel(state.value("kernel", "cubic-spline"), Dim));
   for (FieldInfo const& field : field_infos) {
     auto const values = data.find(field.name);
     if (values == data.end() || values->is_string()) continue;
@@ -62,10 +75,10 @@ RandomScene<Dim> scene_of(Json const& state) {
   if (data.at("density").is_string()) {
     BOOST_TEST(data.at("density").get<std::string>() == "summation");
     CellGrid<Dim> const grid(scene.particles.positions(), scene.domain,
-                             2.0 * scene.particles.smoothing_length());
+                             scene.particles.kernel().support_ratio() * scene.particles.smoothing_length());
     scene.particles.allocate(Field::density);
     scene.particles.scalar(Field::density) =
-        summation_density(grid, scene.particles.smoothing_length(), scene.particles.masses());
+        summation_density(grid, SmoothingLength(scene.particles), scene.particles.masses());
   }
   for (Json const& entry : state.at("walls")) {
     Wall<Dim> wall{.point = vector_of<Dim>(entry.at("point")),
@@ -92,7 +105,7 @@ RandomScene<Dim> scene_of(Json const& state) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_every_scheme_and_control, D, Dimensions) {
   constexpr int Dim = D::value;
   std::map<std::string, int> met;
-  for (Json const& entry : document(Dim)) {
+  for (Json const& entry : document_of_all_kernels(Dim)) {
     BOOST_TEST_REQUIRE(entry.at("state").at("dimension").get<int>() == Dim);
     RandomScene<Dim> const scene = scene_of<Dim>(entry.at("state"));
     for (auto const& [name, expected] : entry.at("expected").at("rates").items()) {
@@ -124,7 +137,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_every_scheme_and_control, D, Dimensions) 
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(densities, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (Json const& entry : document(Dim)) {
+  for (Json const& entry : document_of_all_kernels(Dim)) {
     auto const expected = numbers_of(entry.at("expected").at("density"));
     BOOST_TEST(relative_difference(scene_of<Dim>(entry.at("state")).particles.scalar(Field::density),
                                    expected) < limit);
@@ -133,10 +146,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(densities, D, Dimensions) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(face_weights_and_densities_at_the_foot_points, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (Json const& entry : document(Dim)) {
+  for (Json const& entry : document_of_all_kernels(Dim)) {
     RandomScene<Dim> const scene = scene_of<Dim>(entry.at("state"));
     double const h = scene.particles.smoothing_length();
-    CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
+    CellGrid<Dim> const grid(scene.particles.positions(), scene.domain,
+                             scene.particles.kernel().support_ratio() * h);
     PairGeometry<Dim> const geometry = geometry_of(scene);
     Json const& walls = entry.at("expected").at("walls");
     BOOST_TEST_REQUIRE(walls.size() == scene.walls.size());
@@ -145,7 +159,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(face_weights_and_densities_at_the_foot_points, D, 
       std::vector<double> density;
       for (std::size_t i = 0; i < scene.particles.size(); ++i) {
         Vector<Dim> const foot = scene.walls[w].foot(scene.particles.positions()[i]);
-        density.push_back(foot_density(grid, foot, scene.walls, h, scene.particles.masses()));
+        density.push_back(
+            foot_density(grid, foot, scene.walls, h, scene.particles.masses(), scene.particles.kernel()));
       }
       WallContacts<Dim> const& contacts = geometry.contacts[w];
       for (std::size_t c = 0; c < contacts.size(); ++c) {

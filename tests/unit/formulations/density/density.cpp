@@ -15,7 +15,7 @@ RandomScene<Dim> slab(int depth, int width, double smoothing_ratio) {
   std::size_t count = static_cast<std::size_t>(depth);
   for (int k = 1; k < Dim; ++k) count *= static_cast<std::size_t>(width);
   RandomScene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio),
-                   .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Constant(width)}};
+                         .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Constant(width)}};
   scene.domain.upper[0] = depth;
   scene.domain.periodic.fill(true);
   scene.domain.periodic[0] = false;
@@ -42,7 +42,7 @@ template <int Dim>
 std::vector<double> summation(RandomScene<Dim> const& scene) {
   double const h = scene.particles.smoothing_length();
   CellGrid<Dim> const grid(scene.particles.positions(), scene.domain, 2.0 * h);
-  return summation_density(grid, h, scene.particles.masses());
+  return summation_density(grid, SmoothingLength(scene.particles), scene.particles.masses());
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(summation_is_a_dense_sum_with_the_particle_itself, D, Dimensions) {
@@ -94,8 +94,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(normalised_summation_restores_a_uniform_density_up
   std::vector<double> density = summation(scene);
   BOOST_TEST(density[0] < 0.7);
   for (std::size_t i = 0; i < density.size(); ++i) {
-    density[i] /=
-        kernel_inside(scene.particles.positions()[i], scene.walls, scene.particles.smoothing_length());
+    density[i] /= kernel_inside(scene.particles.positions()[i], scene.walls,
+                                scene.particles.smoothing_length(), default_kernel(Dim));
   }
   BOOST_TEST(relative_difference(density, std::vector<double>(density.size(), 1.0)) < 0.01);
 }
@@ -108,8 +108,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_loses_what_lies_beyond_each_of_two_p
   Vector<Dim> const x = Vector<Dim>::Constant(0.4);
   double const h = 0.9;
   double const expected = dense::inner_fraction<Dim>(0.4, h) + dense::inner_fraction<Dim>(1.1, h) - 1.0;
-  BOOST_TEST(kernel_inside(x, walls, h) == expected, boost::test_tools::tolerance(1e-12));
-  BOOST_TEST(kernel_inside(x, {}, h) == 1.0);
+  BOOST_TEST(kernel_inside(x, walls, h, default_kernel(Dim)) == expected,
+             boost::test_tools::tolerance(1e-12));
+  BOOST_TEST(kernel_inside(x, {}, h, default_kernel(Dim)) == 1.0);
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_knows_corners, D, Dimensions) {
@@ -118,14 +119,15 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(kernel_inside_knows_corners, D, Dimensions) {
   for (int k = 0; k < Dim; ++k)
     walls.push_back({.point = Vector<Dim>::Zero(), .outward_normal = -Vector<Dim>::Unit(k)});
   Vector<Dim> const corner = Vector<Dim>::Zero();
-  BOOST_TEST(std::abs(kernel_inside(corner, walls, 0.3) - std::pow(0.5, Dim)) < 1e-12);
+  BOOST_TEST(std::abs(kernel_inside(corner, walls, 0.3, default_kernel(Dim)) - std::pow(0.5, Dim)) < 1e-12);
   Vector<Dim> const near = Vector<Dim>::Constant(0.1);
   double one_by_one = 1.0;
   for (int k = 0; k < Dim; ++k) one_by_one -= 1.0 - dense::inner_fraction<Dim>(0.1, 0.3);
   if (Dim == 1)
-    BOOST_TEST(kernel_inside(near, walls, 0.3) == one_by_one, boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(kernel_inside(near, walls, 0.3, default_kernel(Dim)) == one_by_one,
+               boost::test_tools::tolerance(1e-12));
   else
-    BOOST_TEST(kernel_inside(near, walls, 0.3) > one_by_one + 0.05);
+    BOOST_TEST(kernel_inside(near, walls, 0.3, default_kernel(Dim)) > one_by_one + 0.05);
 }
 
 /// What Eq. 74 makes of the constant one at a wall of a lattice with summation density.

@@ -3,6 +3,7 @@
 #include <boost/test/unit_test.hpp>
 #include <vector>
 
+#include "formulations/kernels/kernel.hpp"
 #include "tests/support/dense.hpp"
 
 BOOST_AUTO_TEST_SUITE(formulations_kernels_cubic_spline)
@@ -78,11 +79,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(vanishes_from_two_smoothing_lengths_on_and_nowhere
     double const edge = 2.0 * h;
     BOOST_TEST(CubicSpline<Dim>::value(edge, h) == 0.0);
     BOOST_TEST(CubicSpline<Dim>::radial(edge, h) == 0.0);
-    BOOST_TEST(CubicSpline<Dim>::plane_integral(edge, h) == 0.0);
+    BOOST_TEST(default_kernel(Dim).plane_integral(edge, h) == 0.0);
     BOOST_TEST(CubicSpline<Dim>::value(std::nextafter(edge, 0.0), h) > 0.0);
     BOOST_TEST(CubicSpline<Dim>::value(3.0 * h, h) == 0.0);
-    BOOST_TEST(CubicSpline<Dim>::plane_integral(3.0 * h, h) == 0.0);
-    BOOST_TEST(CubicSpline<Dim>::inner_fraction(3.0 * h, h) == 1.0);
+    BOOST_TEST(default_kernel(Dim).plane_integral(3.0 * h, h) == 0.0);
+    BOOST_TEST(default_kernel(Dim).inner_fraction(3.0 * h, h) == 1.0);
   }
   BOOST_TEST(CubicSpline<Dim>::support_ratio == 2.0);
 }
@@ -92,7 +93,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(plane_integral_is_the_integral_of_the_kernel_over_
   for (double const h : lengths) {
     for (double const q : distances) {
       double const expected = dense::plane_integral<Dim>(q * h, h);
-      BOOST_TEST(CubicSpline<Dim>::plane_integral(q * h, h) == expected, tolerance(1e-10));
+      BOOST_TEST(default_kernel(Dim).plane_integral(q * h, h) == expected, tolerance(1e-10));
     }
   }
 }
@@ -123,7 +124,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(plane_integral_keeps_its_digits_up_to_the_edge_of_
   double at = 0.0;
   for (double const gap : gaps()) {
     double const expected = plane_integral_near_edge<Dim>(2.0 - gap);
-    double const error = std::abs(CubicSpline<Dim>::plane_integral(2.0 - gap, 1.0) / expected - 1.0);
+    double const error = std::abs(default_kernel(Dim).plane_integral(2.0 - gap, 1.0) / expected - 1.0);
     if (error > worst) at = gap;
     worst = std::max(worst, error);
   }
@@ -133,7 +134,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(plane_integral_keeps_its_digits_up_to_the_edge_of_
 BOOST_AUTO_TEST_CASE_TEMPLATE(plane_integral_is_never_negative, D, Dimensions) {
   constexpr int Dim = D::value;
   double least = 0.0;
-  for (double const gap : gaps()) least = std::min(least, CubicSpline<Dim>::plane_integral(2.0 - gap, 1.0));
+  for (double const gap : gaps()) least = std::min(least, default_kernel(Dim).plane_integral(2.0 - gap, 1.0));
   BOOST_TEST(least == 0.0);
 }
 
@@ -142,11 +143,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(inner_fraction_is_the_part_of_the_kernel_on_this_s
   for (double const h : lengths) {
     for (double const q : distances) {
       double const expected = dense::inner_fraction<Dim>(q * h, h);
-      BOOST_TEST(CubicSpline<Dim>::inner_fraction(q * h, h) == expected, tolerance(1e-10));
+      BOOST_TEST(default_kernel(Dim).inner_fraction(q * h, h) == expected, tolerance(1e-10));
     }
-    BOOST_TEST(CubicSpline<Dim>::inner_fraction(0.0, h) == 0.5, tolerance(1e-14));
-    BOOST_TEST(CubicSpline<Dim>::inner_fraction(2.0 * h, h) == 1.0);
-    BOOST_TEST(CubicSpline<Dim>::inner_fraction(std::nextafter(2.0 * h, 0.0), h) == 1.0, tolerance(1e-14));
+    BOOST_TEST(default_kernel(Dim).inner_fraction(0.0, h) == 0.5, tolerance(1e-14));
+    BOOST_TEST(default_kernel(Dim).inner_fraction(2.0 * h, h) == 1.0);
+    BOOST_TEST(default_kernel(Dim).inner_fraction(std::nextafter(2.0 * h, 0.0), h) == 1.0, tolerance(1e-14));
   }
 }
 
@@ -155,18 +156,19 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(plane_integral_is_the_derivative_of_the_inner_frac
   double const h = 0.4;
   double const step = 1e-4 * h;
   for (double const q : {0.001, 0.1, 0.5, 0.9, 1.0, 1.1, 1.5, 1.9}) {
-    double const slope = (CubicSpline<Dim>::inner_fraction(q * h + step, h) -
-                          CubicSpline<Dim>::inner_fraction(q * h - step, h)) /
+    double const slope = (default_kernel(Dim).inner_fraction(q * h + step, h) -
+                          default_kernel(Dim).inner_fraction(q * h - step, h)) /
                          (2.0 * step);
-    BOOST_TEST(std::abs(slope - CubicSpline<Dim>::plane_integral(q * h, h)) < 1e-7 / h, "q = " << q);
+    BOOST_TEST(std::abs(slope - default_kernel(Dim).plane_integral(q * h, h)) < 1e-7 / h, "q = " << q);
   }
 }
 
 BOOST_AUTO_TEST_CASE(values_at_the_plane_are_the_numbers_of_the_theory_page) {
   double const h = 0.3;
-  BOOST_TEST(CubicSpline<1>::plane_integral(0.0, h) == 2.0 / (3.0 * h), tolerance(1e-14));
-  BOOST_TEST(CubicSpline<2>::plane_integral(0.0, h) == 15.0 / (7.0 * std::numbers::pi * h), tolerance(1e-14));
-  BOOST_TEST(CubicSpline<3>::plane_integral(0.0, h) == 7.0 / (10.0 * h), tolerance(1e-14));
+  BOOST_TEST(default_kernel(1).plane_integral(0.0, h) == 2.0 / (3.0 * h), tolerance(1e-14));
+  BOOST_TEST(default_kernel(2).plane_integral(0.0, h) == 15.0 / (7.0 * std::numbers::pi * h),
+             tolerance(1e-14));
+  BOOST_TEST(default_kernel(3).plane_integral(0.0, h) == 7.0 / (10.0 * h), tolerance(1e-14));
 }
 
 // Section 4 of the report puts W = 1/(2h) at 0.6 h. With its own Eq. 24 it falls at 0.4662 h

@@ -285,8 +285,25 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(equal_lengths_give_what_one_length_for_all_gives, 
                              2.0 * scene.particles.smoothing_length());
     auto const& m = scene.particles.masses();
     BOOST_TEST(same_bits(summation_density(grid, SmoothingLength(own.particles), m),
-                         summation_density(grid, scene.particles.smoothing_length(), m)));
+                         summation_density(grid, SmoothingLength(scene.particles), m)));
   }
+}
+
+BOOST_AUTO_TEST_CASE(particles_have_the_cubic_spline_until_they_are_given_another_kernel) {
+  Particles<2> particles(3, 0.3);
+  BOOST_TEST(&particles.kernel() == &kernel("cubic-spline", 2));
+  BOOST_TEST(&SmoothingLength(particles).kernel() == &particles.kernel());
+  BOOST_TEST(SmoothingLength(particles).support(1) == 0.6, tolerance(1e-15));
+  particles.set_kernel(kernel("quintic-spline", 2));
+  particles.vary_smoothing_length();
+  particles.smoothing_lengths() = {0.3, 0.7, 0.1};
+  SmoothingLength const own(particles);
+  BOOST_TEST(own.kernel().id() == "quintic-spline");
+  BOOST_TEST(own.support(1) == 2.1, tolerance(1e-15));
+  BOOST_TEST(own.support(0, 1) == 1.5, tolerance(1e-15));
+  BOOST_TEST(SmoothingLength(0.2, kernel("quintic-spline", 1)).support(5) == 0.6, tolerance(1e-15));
+  Particles<2> const copy = particles;
+  BOOST_TEST(&copy.kernel() == &particles.kernel());
 }
 
 BOOST_AUTO_TEST_SUITE_END()

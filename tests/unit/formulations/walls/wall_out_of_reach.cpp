@@ -36,7 +36,7 @@ BOOST_AUTO_TEST_CASE(it_is_what_the_closure_says_as_the_last_particle_leaves) {
       Particles<1> const inside = gas(2.0 * h * (1.0 - 1e-6));
       CellGrid<1> const grid(inside.positions(), {Vector<1>(-1.0), Vector<1>(0.0), {false}}, 2.0 * h);
       WallContacts<1> contacts =
-          find_wall_contacts(grid, walls[0], walls, SmoothingLength(h), inside.masses(),
+          find_wall_contacts(grid, walls[0], walls, SmoothingLength(inside), inside.masses(),
                              inside.scalar(Field::density), FaceWeight::exact);
       BOOST_TEST_REQUIRE(contacts.size() == 1u);
       fill_boundary_values(contacts, walls[0], inside, {BoundaryValue::velocity}, closure, 0.0);

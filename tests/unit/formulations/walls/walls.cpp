@@ -4,9 +4,10 @@
 #include <string>
 
 #include "cases/exact/riemann.hpp"
-#include "formulations/kernels/cubic_spline.hpp"
+#include "formulations/kernels/kernel.hpp"
 #include "formulations/walls/finite_face.hpp"
 #include "tests/support/dense.hpp"
+#include "tests/support/kernels.hpp"
 
 BOOST_AUTO_TEST_SUITE(formulations_walls_walls)
 
@@ -56,7 +57,8 @@ BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_wall_is_too_large_by_8_3_in_2d
   double const h = 0.3;
   auto const ratio = [h](auto dim) {
     constexpr int Dim = decltype(dim)::value;
-    return face_weight<Dim>(0.0, h, FaceWeight::campbell) / face_weight<Dim>(0.0, h, FaceWeight::exact);
+    return face_weight<Dim>(0.0, h, FaceWeight::campbell, default_kernel(Dim)) /
+           face_weight<Dim>(0.0, h, FaceWeight::exact, default_kernel(Dim));
   };
   BOOST_TEST(ratio(std::integral_constant<int, 1>{}) == 1.0);
   BOOST_TEST(ratio(std::integral_constant<int, 2>{}) == 8.0 / 3.0, tolerance(1e-14));
@@ -72,8 +74,8 @@ BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_first_particle_is_too_large_by
                            Printed{2.0, 2.646, 5.65}}) {
     auto const ratio = [&](auto dim) {
       constexpr int Dim = decltype(dim)::value;
-      return face_weight<Dim>(0.5, p.smoothing_ratio, FaceWeight::campbell) /
-             face_weight<Dim>(0.5, p.smoothing_ratio, FaceWeight::exact);
+      return face_weight<Dim>(0.5, p.smoothing_ratio, FaceWeight::campbell, default_kernel(Dim)) /
+             face_weight<Dim>(0.5, p.smoothing_ratio, FaceWeight::exact, default_kernel(Dim));
     };
     BOOST_TEST(std::abs(ratio(std::integral_constant<int, 2>{}) - p.in_2d) < 0.0005);
     BOOST_TEST(std::abs(ratio(std::integral_constant<int, 3>{}) - p.in_3d) < 0.005);
@@ -84,8 +86,8 @@ BOOST_AUTO_TEST_CASE(
     campbells_face_weight_at_the_edge_of_the_support_is_too_large_by_35_16_in_2d_and_4_in_3d) {
   auto const ratio = [](auto dim) {
     constexpr int Dim = decltype(dim)::value;
-    return face_weight<Dim>(1.999, 1.0, FaceWeight::campbell) /
-           face_weight<Dim>(1.999, 1.0, FaceWeight::exact);
+    return face_weight<Dim>(1.999, 1.0, FaceWeight::campbell, default_kernel(Dim)) /
+           face_weight<Dim>(1.999, 1.0, FaceWeight::exact, default_kernel(Dim));
   };
   BOOST_TEST(ratio(std::integral_constant<int, 2>{}) == 35.0 / 16.0, tolerance(1e-2));
   BOOST_TEST(ratio(std::integral_constant<int, 3>{}) == 4.0, tolerance(1e-2));
@@ -98,9 +100,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(campbells_face_weight_is_equations_69_to_71, D, Di
     double const d = q * h;
     double const constant[] = {1.0, 2.0, std::numbers::pi};
     double const area = q < 2.0 ? constant[Dim - 1] * std::pow(4.0 * h * h - d * d, 0.5 * (Dim - 1)) : 0.0;
-    BOOST_TEST(face_weight<Dim>(d, h, FaceWeight::campbell) == dense::kernel<Dim>(d, h) * area,
-               tolerance(1e-11));
-    BOOST_TEST(face_weight<Dim>(d, h, FaceWeight::exact) == CubicSpline<Dim>::plane_integral(d, h));
+    BOOST_TEST(
+        face_weight<Dim>(d, h, FaceWeight::campbell, default_kernel(Dim)) == dense::kernel<Dim>(d, h) * area,
+        tolerance(1e-11));
+    BOOST_TEST(face_weight<Dim>(d, h, FaceWeight::exact, default_kernel(Dim)) ==
+               default_kernel(Dim).plane_integral(d, h));
   }
 }
 
@@ -168,7 +172,7 @@ BOOST_AUTO_TEST_CASE(balanced_weight_falls_back_to_exact_where_two_walls_are_nea
   std::size_t corner = 0;
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     Vector<2> const x = scene.particles.positions()[contacts.particle[c]];
-    double const exact = face_weight(x, scene.walls, 0, 0.5 * reach, FaceWeight::exact);
+    double const exact = face_weight(x, scene.walls, 0, 0.5 * reach, FaceWeight::exact, default_kernel(2));
     bool const near_both = scene.walls[1].distance(contacts.foot[c]) < reach;
     corner += near_both ? 1 : 0;
     BOOST_TEST((contacts.face_weight[c] == exact) == near_both);
@@ -200,8 +204,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(resolved_uniform_state_feels_no_force_in_a_corner,
     WallContacts<Dim> const contacts = contacts_of(scene, w);
     BOOST_TEST_REQUIRE(contacts.particle.back() == i);
     residual += contacts.face_weight.back() * contacts.outward_normal;
-    infinite +=
-        face_weight<Dim>(contacts.distance.back(), s.h(), FaceWeight::exact) * contacts.outward_normal;
+    infinite += face_weight<Dim>(contacts.distance.back(), s.h(), FaceWeight::exact, default_kernel(Dim)) *
+                contacts.outward_normal;
   }
   BOOST_TEST_MESSAGE(Dim << "D: " << residual.norm() / pull << ", infinite planes "
                          << infinite.norm() / pull);
@@ -234,8 +238,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_point_beyond_an_obtuse_corner_is_on_the_edge_
                               D, MoreDimensions) {
   constexpr int Dim = D::value;
   // 120 degrees: the plane x_0 = 0, and one that leans away from it at the origin.
-  RandomScene<Dim> scene{.particles = Particles<Dim>(2, 0.5),
-                   .domain = {.lower = Vector<Dim>::Constant(-3.0), .upper = Vector<Dim>::Constant(3.0)}};
+  RandomScene<Dim> scene{
+      .particles = Particles<Dim>(2, 0.5),
+      .domain = {.lower = Vector<Dim>::Constant(-3.0), .upper = Vector<Dim>::Constant(3.0)}};
   scene.particles.allocate(all_fields);
   Vector<Dim> lean = Vector<Dim>::Zero();
   lean[0] = -0.5;
@@ -288,7 +293,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(particle_on_or_outside_a_wall_is_refused_by_name, 
 
 BOOST_AUTO_TEST_CASE(particle_exactly_at_reach_is_no_contact) {
   RandomScene<1> scene{.particles = Particles<1>(2, 0.25),
-                 .domain = {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0)}};
+                       .domain = {.lower = Vector<1>(0.0), .upper = Vector<1>(1.0)}};
   scene.particles.allocate(all_fields);
   scene.particles.positions().component(0) = {0.5, 0.25};
   scene.particles.masses() = {1.0, 1.0};
@@ -311,7 +316,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(foot_density_of_a_uniform_lattice_is_about_its_den
   for (std::size_t c = 0; c < contacts.size(); c += 7) {
     double const expected = s.rho(contacts.particle[c], 0);
     BOOST_TEST(contacts.foot_density[c] == expected, tolerance(1e-12));
-    BOOST_TEST(foot_density(grid, contacts.foot[c], scene.walls, s.h(), scene.particles.masses()) == expected,
+    BOOST_TEST(foot_density(grid, contacts.foot[c], scene.walls, s.h(), scene.particles.masses(),
+                            default_kernel(Dim)) == expected,
                tolerance(1e-12));
     closest = std::min(closest, std::abs(expected - 1.0));
   }
@@ -496,7 +502,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(quotient_returns_a_constant_on_any_disorder_and_wi
   constexpr int Dim = D::value;
   for (std::uint64_t seed = 0; seed < 4; ++seed) {
     for (bool const summation : {false, true}) {
-      RandomScene<Dim> scene = seed % 2 == 0 ? random_slab<Dim>(seed, 60) : random_scene<Dim>(seed, 60, {}, {});
+      RandomScene<Dim> scene =
+          seed % 2 == 0 ? random_slab<Dim>(seed, 60) : random_scene<Dim>(seed, 60, {}, {});
       if (summation) set_summation_density(scene);
       scene.particles.scalar(Field::pressure).assign(60, 3.0);
       scene.particles.scalar(Field::temperature).assign(60, -7.0);
@@ -578,7 +585,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_velocity_meets_the_pressure_o
   bool any_shock = false;
   bool any_fan = false;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    RandomScene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::velocity}, {BoundaryValue::velocity});
+    RandomScene<Dim> scene =
+        random_scene<Dim>(seed, 60, {BoundaryValue::velocity}, {BoundaryValue::velocity});
     dense::State<Dim> const s(scene);
     for (std::size_t w = 0; w < 2; ++w) {
       Wall<Dim>& wall = scene.walls[w];
@@ -610,7 +618,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_that_prescribes_pressure_goes_with_its_wave_a
   bool any_shock = false;
   bool any_fan = false;
   for (std::uint64_t seed = 0; seed < 6; ++seed) {
-    RandomScene<Dim> scene = random_scene<Dim>(seed, 60, {BoundaryValue::pressure}, {BoundaryValue::pressure});
+    RandomScene<Dim> scene =
+        random_scene<Dim>(seed, 60, {BoundaryValue::pressure}, {BoundaryValue::pressure});
     dense::State<Dim> const s(scene);
     for (std::size_t w = 0; w < 2; ++w) {
       Wall<Dim>& wall = scene.walls[w];
@@ -704,6 +713,56 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(one_sided_closure_interpolates_where_no_gas_is_kno
   check(both, 1.4, true);  // prescribed, both of them
   check({BoundaryValue::velocity}, 1.4, false);
   check({BoundaryValue::pressure}, 1.4, false);
+}
+
+/// Contacts with a plane wall, of a lattice of some disorder, by every kernel.
+BOOST_AUTO_TEST_CASE_TEMPLATE(contacts_go_by_the_kernel_of_the_particles, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (KernelInfo const& info : all_kernel_infos()) {
+    for (FaceWeight const rule : {FaceWeight::campbell, FaceWeight::exact, FaceWeight::balanced}) {
+      RandomScene<Dim> scene = lattice_scene<Dim>(Dim == 3 ? 10 : 14, 0.1, 1.2);
+      Kernel const& W = kernel(info.id, Dim);
+      scene.particles.set_kernel(W);
+      scene.face_weight = rule;
+      Random random(3);
+      auto& x = scene.particles.positions();
+      for (std::size_t i = 0; i < x.size(); ++i) x.add(i, random.vector<Dim>(-0.02, 0.02));
+      for (double& rho : scene.particles.scalar(Field::density)) rho = random.uniform(0.8, 1.2);
+      scene.walls.push_back({.point = scene.domain.upper, .outward_normal = Vector<Dim>::Unit(Dim - 1)});
+      Wall<Dim> const& wall = scene.walls[0];
+      double const h = scene.particles.smoothing_length();
+      auto const& m = scene.particles.masses();
+      auto const& rho = scene.particles.scalar(Field::density);
+      auto const kernel_at = [&](double r) { return written::kernel(info.id, Dim, r, h); };
+      WallContacts<Dim> const contacts = contacts_of(scene);
+      std::size_t c = 0;
+      double worst_density = 0.0, worst_weight = 0.0;
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        double const d = wall.distance(x[i]);
+        if (d >= written::support(info.id) * h) continue;
+        BOOST_TEST_REQUIRE(c < contacts.size());
+        BOOST_TEST(contacts.particle[c] == i);
+        double at_foot = 0.0, balance = 0.0;
+        for (std::size_t j = 0; j < x.size(); ++j) {
+          at_foot += 2.0 * m[j] * kernel_at((x[j] - wall.foot(x[i])).norm());
+          Vector<Dim> const r = x[i] - x[j];
+          if (j != i) balance -= m[j] / rho[j] * W.radial(r.norm(), h) * r[Dim - 1];
+        }
+        double const radius = h * written::half_chord(written::support(info.id), d / h);
+        double const area = Dim == 1 ? 1.0 : Dim == 2 ? 2.0 * radius : std::numbers::pi * radius * radius;
+        double const weight = rule == FaceWeight::campbell ? kernel_at(d) * area
+                              : rule == FaceWeight::exact  ? written::plane_integral(info.id, Dim, d / h) / h
+                                                           : balance;
+        worst_density = std::max(worst_density, std::abs(contacts.foot_density[c] - at_foot));
+        worst_weight = std::max(worst_weight, h * std::abs(contacts.face_weight[c] - weight));
+        ++c;
+      }
+      BOOST_TEST(contacts.size() == c);
+      BOOST_TEST(c > 0u);
+      BOOST_TEST(worst_density < 1e-13, info.id);
+      BOOST_TEST(worst_weight < 1e-13, info.id);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -264,7 +264,8 @@ BOOST_AUTO_TEST_CASE(smooth_is_absent_where_a_case_has_no_features_or_they_leave
   BOOST_TEST(find(regions(particles, slab_walls(domain), {}, middle, 0.05), "smooth") == nullptr);
   // Particles that do not count are in no region.
   auto const fine = on_lattice(domain, 200, 1.2);
-  auto const found = regions(fine, slab_walls(domain), [](std::size_t i) { return i < 20; }, middle, 0.05);
+  auto const found = regions(
+      fine, slab_walls(domain), [](std::size_t i) { return i < 20; }, middle, 0.05);
   BOOST_TEST(find(found, "smooth")->particles.size() == 20u);
 }
 
@@ -287,6 +288,18 @@ BOOST_AUTO_TEST_CASE(regions_without_particles_are_absent) {
   auto const open = regions(on_lattice(domain, 4, 1.2), {});
   BOOST_TEST(find(open, "wall") == nullptr);
   BOOST_TEST(find(open, "interior")->particles.size() == 4u);
+}
+
+BOOST_AUTO_TEST_CASE(regions_go_by_the_support_of_the_kernel) {
+  Domain<1> const domain = slab<1>(0.0, 1.0);
+  Particles<1> particles = on_lattice(domain, 100, 1.2);
+  particles.set_kernel(kernel("quintic-spline", 1));
+  // h = 0.012: particles up to 0.035 lie within 0.036, those from 0.075 on beyond 0.072.
+  auto const found = regions(particles, slab_walls(domain));
+  std::vector<std::size_t> const wall{0, 1, 2, 3, 96, 97, 98, 99};
+  BOOST_TEST(find(found, "wall")->particles == wall, boost::test_tools::per_element());
+  BOOST_TEST(find(found, "interior")->particles.front() == 7u);
+  BOOST_TEST(find(found, "interior")->particles.back() == 92u);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

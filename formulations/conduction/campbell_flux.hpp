@@ -37,7 +37,7 @@ struct CampbellFlux {
                   " + (T_B/rho_B^2+T_i/rho_i^2) rho_B S_i ]\n"
                   "de_i/dt = -sum_j m_j (F_j/rho_j^2+F_i/rho_i^2).grad_i W_ij - (F_B/rho_B^2+F_i/rho_i^2).S_i rho_B",
       .remarks = "On disordered particles it has growing modes, and a uniform temperature drives spurious fluxes. "
-                 "In 1D the wall terms jump 2h from a wall, where rho_B tends to 0 as fast as S: for a particle "
+                 "In 1D the wall terms jump one support R from a wall, where rho_B tends to 0 as fast as S: for a particle "
                  "that is alone within reach the flux jumps by -K_i rho_i T_B n/(2 m), n the outward normal, and "
                  "where the wall prescribes a flux the heating by -F_B.n/(2 m).",
       .rate = Rate::conduction_heating,

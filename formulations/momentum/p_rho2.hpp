@@ -18,8 +18,8 @@ struct PressureOverDensitySquared {
       .source = "Campbell 1989, Eqs. 11, 68, 82",
       .equation = "a_i = -sum_j m_j (P_j/rho_j^2 + P_i/rho_i^2) grad_i W_ij - (P_B/rho_B^2 + P_i/rho_i^2) rho_B S_i",
       .remarks = "A uniform gas at rest is not at rest near a wall: the residual shrinks only as h/dx grows. "
-                 "In 1D the wall term jumps 2h from a wall: rho_B = 2 m W(2h) tends to 0 there as fast as S, so "
-                 "that a particle that is alone within reach feels a = P_B/(2 m) up to 2h and 0 beyond (Eqs. "
+                 "In 1D the wall term jumps one support R from a wall: rho_B = 2 m W(R) tends to 0 there as fast as S, so "
+                 "that a particle that is alone within reach feels a = P_B/(2 m) up to R and 0 beyond (Eqs. "
                  "11-13). In 2D and 3D S/rho_B tends to 0 and nothing jumps.",
       .rate = Rate::acceleration,
       .reads = {Field::density, Field::pressure},

@@ -18,8 +18,8 @@ struct InternalEnergyWork {
       .source = "Campbell 1989, Eq. 42",
       .equation = "de_i/dt = -sum_j m_j (P_j/rho_j^2) (v_j - v_i).grad_i W_ij - (P_B/rho_B) (v_B - v_i).S_i",
       .remarks = "Conserves total energy together with momentum/p-rho2. Galilean invariant. "
-                 "In 1D the wall term jumps 2h from a wall as that of momentum/p-rho2 does: a particle that is "
-                 "alone within reach gets P_B (v_i - v_B).n/(2 m) up to 2h, n the outward normal, and 0 beyond.",
+                 "In 1D the wall term jumps one support R from a wall as that of momentum/p-rho2 does: a particle that is "
+                 "alone within reach gets P_B (v_i - v_B).n/(2 m) up to R, n the outward normal, and 0 beyond.",
       .rate = Rate::internal_work,
       .reads = {Field::density, Field::pressure, Field::velocity},
       .kernel = {KernelWeight::gradient},

@@ -20,8 +20,8 @@ struct TotalEnergyWork {
       .equation = "d(e + v^2/2)_i/dt = -sum_j m_j (P_j v_j/rho_j^2 + P_i v_i/rho_i^2).grad_i W_ij"
                   " - (P_B v_B/rho_B^2 + P_i v_i/rho_i^2).S_i rho_B",
       .remarks = "Partner of momentum/p-rho2. Gives the rate of total energy, not of internal energy. "
-                 "In 1D the wall term jumps 2h from a wall as that of momentum/p-rho2 does: a particle that is "
-                 "alone within reach gets -P_B v_B.n/(2 m) up to 2h, n the outward normal, and 0 beyond.",
+                 "In 1D the wall term jumps one support R from a wall as that of momentum/p-rho2 does: a particle that is "
+                 "alone within reach gets -P_B v_B.n/(2 m) up to R, n the outward normal, and 0 beyond.",
       .rate = Rate::total_work,
       .reads = {Field::density, Field::pressure, Field::velocity},
       .kernel = {KernelWeight::gradient},

@@ -131,6 +131,8 @@ PROGRAM = """#include <cstdio>
 #include <cstddef>
 struct Pair { double first, second; };
 constexpr double half = 0.5;
+struct Slots { int used = 0, none = -1; };
+constexpr int free_slot() { return Slots{}.none; }
 constexpr int twice(int n) { return 2 * n; }
 double mean(Pair p) { return half * (p.first + p.second); }
 double largest(double const* values, int n) {
@@ -142,7 +144,7 @@ double largest(double const* values, int n) {
 }
 int main() {
   double const values[4] = {3.0, -1.0, 7.0, 2.0};
-  static_assert(twice(2) == 4);
+  static_assert(twice(2) == 4 && free_slot() == -1);
   std::printf("%g %g %d\\n", mean({values[0], values[1]}), largest(values, 4), twice(21));
 }
 """
@@ -188,6 +190,18 @@ class SchemataTest(unittest.TestCase):
                     self.assertEqual(output(together, mutant.number), output(alone))
                 noticed += output(alone) != sound
             self.assertGreater(noticed, 1)
+
+    def test_what_a_member_begins_with_may_be_asked_for_in_compilation(self):
+        text = ("struct Slots { int used = 3; bool known = true; };\nconstexpr int first() { return Slots{}.used; }\n"
+                "static_assert(first() == 3);\nint main() { return first() + Slots{}.known; }\n")
+        with tempfile.TemporaryDirectory() as folder:
+            unit, places = places_of(text, folder)
+            inside = [m for ms in places.found.values() for m in ms if m.line == 1]
+            self.assertGreater(len(inside), 1)
+            for number, mutant in enumerate(inside, 1):
+                mutant.number = number
+                with self.subTest(mutant=mutant.says):
+                    self.assertTrue(unit.compiles(pieces.render(text, [mutant], draw.guard)))
 
     def test_a_recording_run_says_what_it_reaches(self):
         text = "int f(int a) { if (a > 0) return 1; return 2; }\nint g() { return 3; }\nint main() { return f(1) - 1; }\n"

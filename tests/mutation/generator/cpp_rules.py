@@ -184,9 +184,12 @@ class Places:
             bound = self.source.index("]", name)
             expressions = [c for c in expressions if self.span(c)[0] > bound]
         if "constexpr" not in head:
-            # In a function that may be constant its variables may be as well.
+            # In a function that may be constant its variables may be as well, and a struct may be made where the compiler
+            # evaluates it, with what its members begin with.
+            before, self.constant = self.constant, self.constant or cursor.kind == Kind.FIELD_DECL
             for child in expressions:
                 self.visit(child)
+            self.constant = before
             return
         if cursor.semantic_parent.kind in (Kind.STRUCT_DECL, Kind.CLASS_DECL, Kind.CLASS_TEMPLATE) or self.constant:
             self.left_out["fixed in compilation"] += len(expressions)

@@ -74,7 +74,7 @@ BOOST_AUTO_TEST_CASE(rates_that_divide_by_the_wall_density_jump_at_2h_and_no_oth
       BOOST_TEST(rate_at<1>(outside, scheme->id, true) == 0.0);
       BOOST_TEST(std::abs(rate_at<1>(inside, scheme->id, true) - expected) < 1e-6);
       // The words of `describe`.
-      bool const says_so = scheme->remarks.find("2h from a wall") != std::string_view::npos;
+      bool const says_so = scheme->remarks.find("one support R from a wall") != std::string_view::npos;
       BOOST_TEST(says_so == (jump != jumps.end()));
     }
   }

@@ -53,18 +53,23 @@ Balance energy_balance(RandomScene<Dim> const& scene, std::string_view momentum,
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_to_round_off_what_is_claimed_and_only_that, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (bool const periodic : {false, true}) {
-    RandomScene<Dim> scene = random_scene<Dim>(1, count);
-    scene.domain.periodic.fill(periodic);
-    for (SchemeInfo const* scheme : all_scheme_infos()) {
-      if (periodic && Dim == 3) continue;  // the box is shorter than two supports
-      Invariant const wanted = scheme->rate == Rate::acceleration ? Invariant::momentum : Invariant::energy;
-      double const defect = balance(scene, evaluate(scene, scheme->id, false)).relative();
-      BOOST_TEST_MESSAGE(Dim << "D " << scheme->id << ": " << defect);
-      if (scheme->conserves.contains(wanted))
-        BOOST_TEST(defect < 1e-13, scheme->id);
-      else
-        BOOST_TEST(defect > 1e-3, scheme->id);
+  for (KernelInfo const& of : all_kernel_infos()) {
+    for (bool const periodic : {false, true}) {
+      RandomScene<Dim> scene = random_scene<Dim>(1, count);
+      scene.particles.set_kernel(kernel(of.id, Dim));
+      scene.domain.periodic.fill(periodic);
+      // In 3D, and with a wider kernel in 2D, the box is shorter than two supports.
+      if (periodic && (Dim == 3 || (Dim == 2 && of.support_ratio > 2.0))) continue;
+      for (SchemeInfo const* scheme : all_scheme_infos()) {
+        Invariant const wanted =
+            scheme->rate == Rate::acceleration ? Invariant::momentum : Invariant::energy;
+        double const defect = balance(scene, evaluate(scene, scheme->id, false)).relative();
+        BOOST_TEST_MESSAGE(Dim << "D " << scheme->id << ", " << of.id << ": " << defect);
+        if (scheme->conserves.contains(wanted))
+          BOOST_TEST(defect < 1e-13, scheme->id << ", " << of.id);
+        else  // heat made here and lost there may nearly cancel: still far from rounding
+          BOOST_TEST(defect > 1e-5, scheme->id << ", " << of.id);
+      }
     }
   }
 }

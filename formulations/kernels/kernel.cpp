@@ -32,8 +32,8 @@ using ExactPieces = std::vector<ExactPiece>;
 /// The polynomials of a kernel's shape, from one whole q to the next.
 template <class Definition>
 ExactPieces pieces_of() {
-  int const count = static_cast<int>(Definition::support_ratio);
-  expects(count == Definition::support_ratio);
+  constexpr int count = static_cast<int>(Definition::support_ratio);
+  static_assert(count == Definition::support_ratio, "a kernel's pieces and its support end at whole q");
   ExactPieces pieces;
   for (int k = 0; k < count; ++k) {
     double const from = k;

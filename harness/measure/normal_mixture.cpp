@@ -72,7 +72,10 @@ std::optional<double> NormalMixture::polished(double p, double near, double tole
     double const step = (p - probability_below(x)) * total_ / density;
     if (!std::isfinite(step)) return std::nullopt;
     x += step;
-    if (std::abs(step) <= tolerance) return x;
+    if (std::abs(step) > tolerance) continue;
+    // Where the density has a needle a short step says little.
+    if (probability_below(x - tolerance) <= p && p <= probability_below(x + tolerance)) return x;
+    return std::nullopt;
   }
   return std::nullopt;
 }

@@ -68,4 +68,19 @@ BOOST_AUTO_TEST_CASE(quantiles_of_many_components_are_where_the_probability_says
   }
 }
 
+BOOST_AUTO_TEST_CASE(needles_in_the_density_do_not_stop_the_search_for_a_quantile) {
+  NormalMixture m;
+  for (int k = 0; k < 1000; ++k) m.add(1.0, 1e-5 * k, 1e-8);
+  for (int k = 0; k < 1000; ++k) m.add(1.0, 1e-5 * k, 1e-5);
+  for (int k = 1; k < 200; ++k) {
+    double const p = k / 200.0 + 1e-5 * k;
+    if (p >= 1.0) break;
+    double const q = m.quantile(p);
+    BOOST_TEST_CONTEXT("p " << p << ", quantile " << q) {
+      BOOST_TEST(m.probability_below(q - 2e-7) <= p);
+      BOOST_TEST(m.probability_below(q + 2e-7) >= p);
+    }
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -77,9 +77,11 @@ def targets_of(build, wanted):
 class Trial:
     """What is known of mutants and tests; kept in a file, so that an interrupted run goes on."""
 
-    def __init__(self, tests, mutants, store, jobs, say):
+    def __init__(self, tests, mutants, tried, store, jobs, say):
+        """`mutants`: all that are built; `tried`: the numbers of those to try now."""
         self.tests, self.store, self.jobs, self.say = tests, store, jobs, say
         self.mutants = {m.number: m for m in mutants}
+        self.tried = set(tried)
         self.alive = {m.number: set() for m in mutants}  # -> the tests that it has passed
         self.caught = {}  # number -> (test, how)
         self.failing = {}  # tests that fail without a mutant
@@ -135,8 +137,12 @@ class Trial:
         self.save()
         return not self.queue
 
+    def left(self):
+        """Those to try that no test has noticed yet."""
+        return self.tried & set(self.alive)
+
     def push_trials(self, test):
-        for number in sorted(test.reached & set(self.alive)):
+        for number in sorted(test.reached & self.left()):
             if test.name not in self.alive[number]:
                 self.push(test.of_class, test.seconds, test, number)
 
@@ -149,7 +155,7 @@ class Trial:
                     self.lock.notify_all()
                     return
                 _, _, _, test, number = heapq.heappop(self.queue)
-                if number is None and not self.alive or number is not None and number not in self.alive:
+                if number is None and not self.left() or number is not None and number not in self.alive:
                     continue
                 self.busy += 1
             try:
@@ -192,7 +198,7 @@ class Trial:
             del self.alive[number]
             self.save()
             m = self.mutants[number]
-            self.say(f"{number} {m.file}:{m.line} {m.rule}: caught by {test.name} ({how}), {len(self.alive)} left")
+            self.say(f"{number} {m.file}:{m.line} {m.rule}: caught by {test.name} ({how}), {len(self.left())} left")
 
     def reached_by(self, number):
         return [t.name for t in self.tests if number in t.reached]

@@ -19,7 +19,7 @@ namespace {
 /// The sample as the product holds it, in a box without walls.
 class Cube {
  public:
-  Cube(std::size_t side, bool sorted)
+  Cube(std::size_t side, bool sorted, std::string_view of_kernel = CubicSpline<3>::id)
       : domain{.lower = Vector<3>::Zero(), .upper = Vector<3>::Ones()}, particles(0, 1.0) {
     Sample sample = make_sample(side);
     if (sorted) {
@@ -41,12 +41,13 @@ class Cube {
     v.component(1) = sample.vy;
     v.component(2) = sample.vz;
     geometry.domain = domain;
+    particles.set_kernel(kernel(of_kernel, 3));
     find_list(1);
   }
 
   void find_list(int threads) {
     CellGrid<3> const grid(particles.positions(), domain,
-                           CubicSpline<3>::support_ratio * particles.smoothing_length());
+                           particles.kernel().support_ratio() * particles.smoothing_length());
     geometry.neighbours = find_neighbours(grid, threads, std::move(geometry.neighbours));
   }
 
@@ -89,12 +90,13 @@ struct GasSweep {
 };
 
 void measure(std::string const& name, std::size_t side, int threads, bool sorted,
-             std::function<std::function<void(Cube&)>(Cube&)> const& make_pass) {
+             std::function<std::function<void(Cube&)>(Cube&)> const& make_pass,
+             std::string const& of_kernel = std::string(CubicSpline<3>::id)) {
   benchmark::RegisterBenchmark(("product/" + name + "/" + std::to_string(side) +
                                 (threads > 1 ? "/threads:" + std::to_string(threads) : ""))
                                    .c_str(),
                                [=](benchmark::State& state) {
-                                 Cube cube(side, sorted);
+                                 Cube cube(side, sorted, of_kernel);
                                  auto const pass = make_pass(cube);
                                  time_passes(state, cube.particles.size(), cube.geometry.neighbours.pairs(),
                                              [&] { pass(cube); });
@@ -139,6 +141,12 @@ void register_product(std::span<std::size_t const> sides) {
             [=](Cube& cube) { sum_density(cube.particles, cube.geometry.neighbours, cube.domain, threads); };
       });
       measure("euler/full", side, threads, true, gas_pass(euler, true, false, threads));
+    }
+    // Every kernel at the same h: a wider one has more pairs, so compare nanoseconds per pair.
+    for (KernelInfo const& info : all_kernel_infos()) {
+      std::string const id(info.id);
+      measure("kernel/" + id + "/euler", side, 1, true, gas_pass(euler, true, true, 1), id);
+      measure("kernel/" + id + "/conduction", side, 1, true, scheme_pass("conduction/brookshaw", 1, false), id);
     }
     // What a scene saves that does without: each line beside euler/full.
     measure("euler/without-viscosity", side, 1, true, gas_pass(euler, false, false, 1));

@@ -1,18 +1,27 @@
 #include "cases/all.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "cases/support/case.hpp"
 
 namespace sphverify {
 
-std::vector<Case> const& all_cases() {
-  static std::vector<Case> const cases = std::apply(
-      [](auto... one) {
-        return std::vector<Case>{{decltype(one)::info(), &decltype(one)::problem}...};
-      },
-      AllCases{});
-  return cases;
+namespace {
+
+std::deque<Case>& cases() {
+  static std::deque<Case> all =
+      std::apply([](auto... one) { return std::deque<Case>{case_part<decltype(one)>()...}; }, AllCases{});
+  return all;
+}
+
+}  // namespace
+
+std::deque<Case> const& all_cases() { return cases(); }
+
+void add_case(Case const& one) {
+  if (find_case(one.info.id)) throw std::invalid_argument("two cases are called " + one.info.id);
+  cases().push_back(one);
 }
 
 Case const* find_case(std::string_view id) {

@@ -1,12 +1,14 @@
 # Installs the program, the libraries with their headers, the schemas and the ready-made studies, and exports
-# sphverify::formulations, sphverify::cases, sphverify::reports and sphverify::harness for find_package(sphverify).
+# sphverify::formulations, sphverify::cases, sphverify::reports, sphverify::harness and sphverify::program for
+# find_package(sphverify), with sphverify_add_program for programs that have parts of their own.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS sphverify_formulations sphverify_cases sphverify_reports sphverify_harness
+install(TARGETS sphverify_formulations sphverify_cases sphverify_reports sphverify_harness sphverify_program
         EXPORT sphverify-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS sphverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY formulations cases harness reports DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sphverify
         FILES_MATCHING PATTERN "*.hpp")
+install(FILES include/sphverify/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sphverify)
 install(DIRECTORY cases/studies reports/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/sphverify)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sphverify)
@@ -15,5 +17,8 @@ configure_package_config_file(cmake/sphverify-config.cmake.in ${PROJECT_BINARY_D
                               INSTALL_DESTINATION ${package_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sphverify-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
+install(FILES cmake/SphverifyLoops.cmake cmake/SphverifyAddProgram.cmake cmake/program_main.cpp.in
+              formulations/sweep/kernel_loops.cpp.in formulations/sweep/scheme_loops.cpp.in
+        DESTINATION ${package_dir})
 install(FILES ${PROJECT_BINARY_DIR}/sphverify-config.cmake ${PROJECT_BINARY_DIR}/sphverify-config-version.cmake
         DESTINATION ${package_dir})

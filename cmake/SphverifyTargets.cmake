@@ -11,8 +11,8 @@ function(sphverify_room name)
   add_library(sphverify::${name} ALIAS sphverify_${name})
   set_target_properties(sphverify_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(sphverify_${name} PUBLIC
-    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sphverify>)
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/sphverify> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_link_libraries(sphverify_${name} PUBLIC ${ARG_LINK})
   target_precompile_headers(sphverify_${name} PRIVATE ${ARG_PRECOMPILE})
   sphverify_compile_options(sphverify_${name})

@@ -5,239 +5,57 @@
 #include <cstdio>
 #include <string>
 #include <tuple>
-#include <type_traits>
-#include <utility>
 
 #include "formulations/all.hpp"
 #include "formulations/density/continuity.hpp"
-#include "formulations/basics/parallel.hpp"
-#include "formulations/walls/sweep_wall.hpp"
+#include "formulations/scheme_operator.hpp"
 
 namespace sphverify {
 
+void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::string_view quantity,
+                          std::vector<double> const& values) {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values[i] >= 0.0 || std::isnan(values[i])) continue;
+    std::array<char, 32> readable{};
+    std::snprintf(readable.data(), readable.size(), "%.3g", values[i]);
+    throw UndefinedRate(std::string(scheme.id) + " is undefined for negative " + std::string(quantity) + ": " +
+                        std::string(where) + " " + std::to_string(i) + " has " + readable.data());
+  }
+}
+
 namespace {
 
-std::string readable(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return text.data();
+std::vector<SchemePart>& parts() {
+  static std::vector<SchemePart> all = std::apply(
+      [](auto... scheme) { return std::vector<SchemePart>{scheme_part<decltype(scheme)>()...}; }, AllSchemes{});
+  return all;
 }
 
-void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::size_t index,
-                          std::string_view quantity, double value) {
-  if (value >= 0.0 || std::isnan(value)) return;
-  throw UndefinedRate(std::string(scheme.id) + " is undefined for negative " + std::string(quantity) + ": " +
-                      std::string(where) + " " + std::to_string(index) + " has " + readable(value));
+SchemePart const* find_part(std::string_view id) {
+  for (SchemePart const& part : parts()) {
+    if (part.info->id == id) return &part;
+  }
+  return nullptr;
 }
-
-/// Which of the list a scheme is.
-template <class Scheme, class... Schemes>
-constexpr std::size_t index_in(std::tuple<Schemes...> const*) {
-  std::size_t index = 0;
-  (void)((std::is_same_v<Scheme, Schemes> || (++index, false)) || ...);
-  return index;
-}
-
-template <class Scheme, int Dim>
-RowFunction pair_sum(std::string_view kernel, std::size_t pass) {
-  if constexpr (std::is_same_v<Scheme, ContinuityDensity>) {
-    return sweep_kernels<Dim>(kernel).continuity;
-  } else {
-    return sweep_kernels<Dim>(kernel)
-        .schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))]
-        .passes[pass];
-  }
-}
-
-template <class Scheme, int Dim>
-class SchemeOperator final : public RateOperator<Dim> {
- public:
-  using Value = std::conditional_t<Scheme::info.rate == Rate::acceleration, Vector<Dim>, double>;
-  static constexpr std::size_t last = std::tuple_size_v<AllPasses<Scheme>> - 1;
-  template <std::size_t n>
-  using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
-
-  SchemeInfo const& info() const override { return Scheme::info; }
-
-  void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
-                  double time, int threads, PairSweep<Dim>& sweep) override {
-    with_pass(pass, [&]<std::size_t n>() {
-      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-        fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
-                             wall_values<n>(geometry.contacts[w]), closure, time);
-      }
-      if constexpr (n == last) {
-        check(particles, geometry);
-        if constexpr (Scheme::info.difference_form) {
-          if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
-        }
-      }
-      sweep.add(pair_sum<Scheme, Dim>(particles.kernel().id(), n), reads_of_pass<Scheme, n>(), Pass<n>::info.kernel,
-                output<Pass<n>>(particles));
-    });
-  }
-
-  void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& geometry,
-                WorkCount& work) override {
-    work.pair_interactions += geometry.neighbours.pairs();
-    for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
-    with_pass(pass, [&]<std::size_t n>() {
-      if constexpr (n == last) {
-        wall_terms_.clear();
-        exchanged_.clear();
-        for (auto const& contacts : geometry.contacts) {
-          wall_terms_.push_back(add_wall<n>(contacts, particles));
-          exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
-        }
-      } else {
-        for (auto const& contacts : geometry.contacts) add_wall<n>(contacts, particles);
-        finish<n>(particles);
-      }
-    });
-  }
-
-  void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) override {
-    if constexpr (Scheme::info.difference_form) {
-      PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
-      auto const of_row =
-          sweep_kernels<Dim>(particles.kernel().id())
-              .schemes[index_in<Scheme>(static_cast<AllSchemes const*>(nullptr))]
-              .conductance;
-      conductance_ = sweep.conductances(of_row, reads_of_pass<Scheme, last>(), particles);
-    }
-  }
-
-  std::size_t bytes() const override { return conductance_.capacity() * sizeof(double); }
-
-  std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const override {
-    if constexpr (std::is_same_v<Value, Vector<Dim>>)
-      return wall_terms_;
-    else
-      return no_acceleration_;
-  }
-  std::vector<Vector<Dim>> const& wall_force() const override {
-    if constexpr (std::is_same_v<Value, Vector<Dim>>)
-      return exchanged_;
-    else
-      return no_force_;
-  }
-  std::vector<double> const& wall_power() const override {
-    if constexpr (std::is_same_v<Value, double>)
-      return exchanged_;
-    else
-      return no_power_;
-  }
-
- private:
-  /// Calls act.operator()<n>() for the pass of that number.
-  template <class Act>
-  static void with_pass(int pass, Act const& act) {
-    [&]<std::size_t... n>(std::index_sequence<n...>) {
-      ((static_cast<int>(n) == pass ? act.template operator()<n>() : void()), ...);
-    }(std::make_index_sequence<last + 1>());
-  }
-
-  template <class APass>
-  static auto& output(Particles<Dim>& particles) {
-    if constexpr (sphverify::info(output_of<APass>()).is_vector)
-      return particles.vector(output_of<APass>());
-    else
-      return particles.scalar(output_of<APass>());
-  }
-
-  template <std::size_t n>
-  static BoundaryValueSet wall_values(WallContacts<Dim> const& contacts) {
-    if constexpr (n == last) {
-      constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
-      if (Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) && contacts.prescribes_flux_only)
-        return flux_only;
-    }
-    return Pass<n>::info.boundary;
-  }
-
-  template <std::size_t n>
-  static auto add_wall(WallContacts<Dim> const& contacts, Particles<Dim>& particles) {
-    using Term = std::conditional_t<sphverify::info(output_of<Pass<n>>()).is_vector, Vector<Dim>, double>;
-    constexpr BoundaryValueSet of_wall = [] {
-      if constexpr (n == last) return Scheme::info.boundary | Scheme::info.boundary_if_prescribed;
-      return Pass<n>::info.boundary;
-    }();
-    return sweep_wall<Term, reads_of_pass<Scheme, n>(), of_wall>(
-        contacts, particles, output<Pass<n>>(particles),
-        [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); });
-  }
-
-  /// Makes of a pass's sums what it writes.
-  template <std::size_t n>
-  static void finish(Particles<Dim>& particles) {
-    FieldPointers<Dim> const fields(particles);
-    auto& out = output<Pass<n>>(particles);
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      ParticleView<Dim, reads_of_pass<Scheme, n>()> const own(fields, i);
-      if constexpr (!requires { Pass<n>::finish(own, out[i]); }) {
-        return;
-      } else if constexpr (sphverify::info(output_of<Pass<n>>()).is_vector) {
-        out.set(i, Pass<n>::finish(own, out[i]));
-      } else {
-        out[i] = Pass<n>::finish(own, out[i]);
-      }
-    }
-  }
-
-  /// sum_i m_i term_i: what the wall gives to the particles, per time.
-  static Value total(WallContacts<Dim> const& contacts, Particles<Dim> const& particles,
-                     std::vector<Value> const& terms) {
-    Value sum{};
-    if constexpr (!std::is_same_v<Value, double>) sum.setZero();
-    for (std::size_t c = 0; c < terms.size(); ++c) sum += particles.masses()[contacts.particle[c]] * terms[c];
-    return sum;
-  }
-
-  void conduct(Particles<Dim>& particles, NeighbourList const& neighbours, int threads) const {
-    double const* const temperature = particles.scalar(Field::temperature).data();
-    double* const rate = particles.scalar(Field::heating).data();
-    for_each_block(neighbours.rows(), threads, [&](std::size_t begin, std::size_t end) {
-      sweep_kernels<Dim>(particles.kernel().id()).conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(),
-                                   temperature, begin, end, rate);
-    });
-  }
-
-  static void check(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry) {
-    if constexpr (Scheme::info.non_negative.contains(Field::pressure)) {
-      auto const& pressure = particles.scalar(Field::pressure);
-      for (std::size_t i = 0; i < pressure.size(); ++i) {
-        require_non_negative(Scheme::info, "particle", i, "pressure", pressure[i]);
-      }
-      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-        for (double const value : geometry.contacts[w].pressure) {
-          require_non_negative(Scheme::info, "wall", w, "pressure", value);
-        }
-      }
-    }
-  }
-
-  std::vector<double> conductance_;             ///< per pair, once frozen
-  std::vector<std::vector<Value>> wall_terms_;  ///< per wall and contact
-  std::vector<Value> exchanged_;
-  std::vector<std::vector<Vector<Dim>>> no_acceleration_;
-  std::vector<Vector<Dim>> no_force_;
-  std::vector<double> no_power_;
-};
 
 }  // namespace
 
-std::vector<SchemeInfo const*> const& all_scheme_infos() {
-  static std::vector<SchemeInfo const*> const infos =
-      std::apply([](auto... scheme) { return std::vector<SchemeInfo const*>{&decltype(scheme)::info...}; },
-                 AllSchemes{});
+void add_scheme(SchemePart const& part) {
+  if (find_part(part.info->id)) throw std::invalid_argument("two schemes are called " + std::string(part.info->id));
+  parts().push_back(part);
+}
+
+std::vector<SchemePart> const& all_scheme_parts() { return parts(); }
+
+std::vector<SchemeInfo const*> all_scheme_infos() {
+  std::vector<SchemeInfo const*> infos;
+  for (SchemePart const& part : parts()) infos.push_back(part.info);
   return infos;
 }
 
 SchemeInfo const* find_scheme(std::string_view id) {
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (scheme->id == id) return scheme;
-  }
-  return nullptr;
+  SchemePart const* const part = find_part(id);
+  return part ? part->info : nullptr;
 }
 
 template <int Dim>
@@ -254,17 +72,9 @@ void RateOperator<Dim>::evaluate(Particles<Dim>& particles, PairGeometry<Dim>& g
 
 template <int Dim>
 std::unique_ptr<RateOperator<Dim>> make_rate_operator(std::string_view id) {
-  std::unique_ptr<RateOperator<Dim>> found;
-  std::apply(
-      [&](auto... scheme) {
-        ((decltype(scheme)::info.id == id
-              ? void(found = std::make_unique<SchemeOperator<decltype(scheme), Dim>>())
-              : void()),
-         ...);
-      },
-      AllSchemes{});
-  if (!found) throw std::invalid_argument("unknown formulation '" + std::string(id) + "'");
-  return found;
+  SchemePart const* const part = find_part(id);
+  if (!part) throw std::invalid_argument("unknown formulation '" + std::string(id) + "'");
+  return part->make<Dim>();
 }
 
 template <int Dim>

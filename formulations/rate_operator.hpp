@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string_view>
@@ -64,8 +65,28 @@ class RateOperator {
   virtual std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const = 0;
 };
 
-/// Descriptions of all schemes, in the order of the list.
-std::vector<SchemeInfo const*> const& all_scheme_infos();
+/// A scheme as a program knows it. scheme_part<Scheme>() of scheme_operator.hpp makes it of a header.
+struct SchemePart {
+  SchemeInfo const* info;
+  std::function<std::unique_ptr<RateOperator<1>>()> in_1d;
+  std::function<std::unique_ptr<RateOperator<2>>()> in_2d;
+  std::function<std::unique_ptr<RateOperator<3>>()> in_3d;
+
+  template <int Dim>
+  std::unique_ptr<RateOperator<Dim>> make() const {
+    if constexpr (Dim == 1) return in_1d();
+    if constexpr (Dim == 2) return in_2d();
+    if constexpr (Dim == 3) return in_3d();
+  }
+};
+
+/// Adds a scheme to those of AllSchemes, before anything else is asked of them. Throws std::invalid_argument if there is one
+/// of that identifier.
+void add_scheme(SchemePart const& part);
+
+/// Those of AllSchemes in its order, then those that were added.
+std::vector<SchemePart> const& all_scheme_parts();
+std::vector<SchemeInfo const*> all_scheme_infos();
 
 /// Null if there is none of that identifier.
 SchemeInfo const* find_scheme(std::string_view id);

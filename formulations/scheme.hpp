@@ -38,7 +38,7 @@ constexpr Field output_field(Rate rate) {
 /// A pass over all pairs and walls before that of the rate: what it computes for every particle, and from what.
 struct PassInfo {
   std::string_view name;    ///< as records name what ran
-  Field writes;             ///< a number or a vector
+  Field writes;             ///< a number, a vector or a symmetric tensor; `pass_...` where no field has its meaning
   FieldSet reads;           ///< besides position, mass and what passes before it have written
   KernelWeightSet kernel;   ///< what it reads of the kernel at a pair
   BoundaryValueSet boundary = {};  ///< what it reads at a wall, prescribed or closed
@@ -71,6 +71,21 @@ class FirstPasses {
 enum class Invariant { momentum, energy };
 using InvariantSet = FlagSet<Invariant>;
 
+/// The mean of two particles' conductivities by which a pair conducts.
+enum class ConductivityMean { unknown, arithmetic, harmonic, geometric };
+
+/// What a scheme says of its behaviour beside what it conserves. `sphverify claims` and the contract tests hold it to this;
+/// what is not claimed is no failure.
+struct Claims {
+  /// On a lattice, far from walls, fields that are linear give the derivative times so many powers of the lattice's own
+  /// factor D = -sum_j V (x_i - x_j) dW_ij/dx_i; -1: one for each pass; 0: it is exact.
+  int lattice_factors = -1;
+  bool steady_on_any_particles = false;  ///< a uniform state has rate zero wherever the particles are
+  bool galilean_invariant = true;        ///< a common velocity changes no rate
+  bool continuous_at_support = true;     ///< what a neighbour adds tends to zero as it leaves the support
+  ConductivityMean mean = ConductivityMean::unknown;  ///< of a form of heat conduction that has one
+};
+
 /// What a scheme says of itself; everything that the program lists, describes, allocates and checks comes
 /// from here.
 struct SchemeInfo {
@@ -90,11 +105,18 @@ struct SchemeInfo {
   FirstPasses first_passes = {};       ///< what is summed before the rate; `passes` has their code
   bool difference_form = false;        ///< its pair is a conductance, without T, times (T_i - T_j)
   std::string_view work_partner = {};  ///< of a momentum form: its default energy equation
+  Claims claims = {};
+  int supports_seen = 0;  ///< how far it sees, in supports of the kernel; 0: as many as it has passes
   bool control = false;  ///< a yardstick beside the others: shown, never what a comparison recommends
 };
 
-/// How far a scheme sees: its own pass and those before it, each over the pairs within the support.
+/// Its own pass and those before it.
 constexpr int pass_count(SchemeInfo const& scheme) { return static_cast<int>(scheme.first_passes.size()) + 1; }
+
+/// How far a scheme sees, in supports of the kernel: each pass adds one.
+constexpr int supports_seen(SchemeInfo const& scheme) {
+  return scheme.supports_seen > 0 ? scheme.supports_seen : pass_count(scheme);
+}
 
 /// All fields that a scheme reads and does not write itself.
 constexpr FieldSet fields_read(SchemeInfo const& scheme) {
@@ -130,11 +152,27 @@ struct PassesOf<Scheme> {
   using type = typename Scheme::passes;
 };
 
-/// What can be listed and swept as a scheme.
+/// Whether it reads a field that only first passes write without naming it among what they write: it would find what another
+/// scheme has left there.
+constexpr bool reads_what_nobody_wrote(SchemeInfo const& scheme) {
+  for (FieldInfo const& field : field_infos) {
+    if (pass_fields.contains(field.field) && fields_read(scheme).contains(field.field)) return true;
+  }
+  return false;
+}
+
+/// What can be listed and swept as a scheme: a struct with a constexpr `info`; with `pair(i, j, W)` and `wall(i, B)`; and, in
+/// `passes`, the code of the first passes that its `info` names.
 template <class Type>
-concept IsScheme = requires {
+concept HasSchemeInfo = requires {
   { Type::info } -> std::convertible_to<SchemeInfo const&>;
-} && std::tuple_size_v<typename PassesOf<Type>::type> == Type::info.first_passes.size();
+};
+template <class Type>
+concept HasItsFirstPasses = std::tuple_size_v<typename PassesOf<Type>::type> == Type::info.first_passes.size();
+template <class Type>
+concept ReadsWhatIsWritten = !reads_what_nobody_wrote(Type::info);
+template <class Type>
+concept IsScheme = HasSchemeInfo<Type> && HasItsFirstPasses<Type> && ReadsWhatIsWritten<Type>;
 
 /// All passes of a scheme; its own, which makes the rate, is the last.
 template <class Scheme>

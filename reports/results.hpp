@@ -19,6 +19,8 @@ using Number = std::optional<double>;
 struct Context {
   std::string version, commit, compiler, flags, processor, date;
   int cores = 0;
+  std::string program = "sphverify";  ///< what wrote the results
+  std::vector<std::string> added{};   ///< identifiers of its parts that are not ours
 };
 
 struct LayoutChoice {

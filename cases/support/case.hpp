@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,14 +36,24 @@ struct CaseInfo {
   std::string remarks{};       ///< what to know before believing its numbers; may be empty
 };
 
-/// A case of the list `AllCases` behind a common face.
+/// A case behind a common face.
 struct Case {
   CaseInfo info;
   AnyProblem (*problem)(Parameters const&);  ///< throws BadValue for values that make no sense
 };
 
-/// All cases, in the order of the list.
-std::vector<Case> const& all_cases();
+/// What to hand to add_case: of a struct with `static CaseInfo info()` and `static AnyProblem problem(Parameters const&)`.
+template <class Definition>
+Case case_part() {
+  return {Definition::info(), &Definition::problem};
+}
+
+/// Adds a case to those of `AllCases`, before anything else is asked of them. Throws std::invalid_argument if there is one of
+/// that identifier.
+void add_case(Case const& one);
+
+/// All cases, in the order of the list, then those that were added.
+std::deque<Case> const& all_cases();
 
 /// Null if there is none of that identifier.
 Case const* find_case(std::string_view id);

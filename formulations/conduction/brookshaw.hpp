@@ -28,7 +28,8 @@ struct Brookshaw {
       .boundary = {BoundaryValue::temperature, BoundaryValue::conductivity},
       .boundary_if_prescribed = {BoundaryValue::flux},
       .conserves = {Invariant::energy},
-      .difference_form = true};
+      .difference_form = true,
+      .claims = {.steady_on_any_particles = true, .mean = ConductivityMean::arithmetic}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return conductance(i, j, W) * (i.T() - j.T());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -10,79 +11,11 @@
 #include "formulations/basics/expects.hpp"
 #include "formulations/basics/gauss.hpp"
 #include "formulations/kernels/all.hpp"
-#include "formulations/kernels/on_piece.hpp"
+#include "formulations/kernels/kernel_of.hpp"
 
 namespace sphverify {
 
 namespace {
-
-static_assert(OnPiece::terms == PiecewisePolynomial::terms);
-
-/// A piece of a kernel's support and a polynomial on it.
-struct ExactPiece {
-  double from, to, origin;
-  OnPiece function;
-
-  /// Its value at its end and at its beginning.
-  long double at_end() const { return function.at_shift(static_cast<long double>(to) - origin); }
-  long double at_beginning() const { return function.at_shift(static_cast<long double>(from) - origin); }
-};
-using ExactPieces = std::vector<ExactPiece>;
-
-/// The polynomials of a kernel's shape, from one whole q to the next.
-template <class Definition>
-ExactPieces pieces_of() {
-  constexpr int count = static_cast<int>(Definition::support_ratio);
-  static_assert(count == Definition::support_ratio, "a kernel's pieces and its support end at whole q");
-  ExactPieces pieces;
-  for (int k = 0; k < count; ++k) {
-    double const from = k;
-    double const to = k + 1;
-    // At the edge of the support the shape is a power of the distance from it, which keeps all digits.
-    double const origin = k + 1 == count ? to : (k == 0 ? 0.0 : 0.5 * (from + to));
-    pieces.push_back({from, to, origin, Definition::shape(OnPiece::q(origin, 0.5 * (from + to)))});
-  }
-  return pieces;
-}
-
-/// f q^n
-ExactPieces times_power(ExactPieces pieces, int n) {
-  for (ExactPiece& piece : pieces) {
-    OnPiece const q = OnPiece::q(piece.origin, 0.5 * (piece.from + piece.to));
-    for (int k = 0; k < n; ++k) piece.function = piece.function * q;
-  }
-  return pieces;
-}
-
-/// int_q^R f dq'
-ExactPieces integral_beyond(ExactPieces pieces) {
-  long double at_end = 0.0L;
-  for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) {
-    OnPiece integral(0.0);
-    for (std::size_t n = 0; n + 1 < OnPiece::terms; ++n)
-      integral.coefficient[n + 1] = -piece->function.coefficient[n] / static_cast<long double>(n + 1);
-    expects(piece->function.coefficient.back() == 0.0L);
-    piece->function = integral;
-    piece->function.coefficient[0] = at_end - piece->at_end();
-    at_end = piece->at_beginning();
-  }
-  return pieces;
-}
-
-PiecewisePolynomial::Piece rounded(ExactPiece const& exact) {
-  PiecewisePolynomial::Piece piece{exact.to, exact.origin, 0, {}};
-  for (std::size_t n = 0; n < OnPiece::terms; ++n) {
-    piece.coefficient[n] = static_cast<double>(exact.function.coefficient[n]);
-    if (piece.coefficient[n] != 0.0) piece.degree = static_cast<int>(n);
-  }
-  return piece;
-}
-
-PiecewisePolynomial rounded(ExactPieces const& exact) {
-  std::vector<PiecewisePolynomial::Piece> pieces;
-  for (ExactPiece const& piece : exact) pieces.push_back(rounded(piece));
-  return PiecewisePolynomial(std::move(pieces));
-}
 
 /// Half the length of what a circle of radius `edge` leaves of a line at distance d.
 double half_chord(double edge, double d) { return std::sqrt(std::max(0.0, (edge - d) * (edge + d))); }
@@ -141,38 +74,6 @@ double along_line(PiecewisePolynomial const& polynomials, double d, double from,
 
 }  // namespace
 
-template <class Definition, int Dim>
-Kernel Kernel::of() {
-  ExactPieces const w = pieces_of<Definition>();
-  ExactPieces const moment = integral_beyond(w);
-  ExactPieces const first = integral_beyond(times_power(w, 1));
-  ExactPieces const second = integral_beyond(times_power(w, 2));
-  Kernel made;
-  made.info_ = {Definition::id, Definition::title, Definition::source, Definition::equation,
-                Definition::support_ratio};
-  made.dimension_ = Dim;
-  made.sigma_ = Definition::sigma;
-  made.value_ = [](double r, double h) { return Definition::value(r, h); };
-  made.radial_ = [](double r, double h) { return Definition::radial(r, h); };
-  made.shape_ = [](double q) { return Definition::shape(q); };
-  for (std::size_t k = 0; k + 1 < w.size(); ++k) made.knots_.push_back(w[k].to);
-  made.polynomials_ = rounded(w);
-  made.moment_ = rounded(moment);
-  made.first_moment_ = rounded(first);
-  made.second_moment_ = rounded(second);
-  made.twice_ = rounded(integral_beyond(first));
-  made.whole_second_moment_ = static_cast<double>(second.front().at_beginning());
-  // The pole is gone: int_0^q w q'^2 dq' has no constant term, and its powers are those of q.
-  ExactPiece potential = first.front();
-  expects(potential.origin == 0.0);
-  OnPiece const& within = second.front().function;
-  potential.function = -potential.function;
-  for (std::size_t n = 0; n + 1 < OnPiece::terms; ++n)
-    potential.function.coefficient[n] += within.coefficient[n + 1];
-  made.inner_potential_ = rounded(potential);
-  return made;
-}
-
 double Kernel::line_integral(double d, double from, double to) const {
   PiecewisePolynomial::Piece const& innermost = polynomials_.pieces().front();
   auto const inner = [&](double lower, double upper) {
@@ -222,44 +123,47 @@ double Kernel::inner_fraction(double d, double h) const {
 
 namespace {
 
-template <int Dim, class... Definitions>
-void add_all(std::vector<Kernel>& all, std::tuple<Definitions...> const*) {
-  (all.push_back(Kernel::of<Definitions, Dim>()), ...);
+template <template <int> class... Definitions>
+std::vector<KernelPart> parts_of_all(KernelPack<Definitions...>) {
+  return {kernel_part<Definitions>()...};
 }
 
-/// Those of 1, 2 and 3 dimensions, one after the other.
-std::vector<Kernel> const& all_kernels() {
-  static std::vector<Kernel> const kernels = [] {
-    std::vector<Kernel> all;
-    add_all<1>(all, static_cast<KernelList<1> const*>(nullptr));
-    add_all<2>(all, static_cast<KernelList<2> const*>(nullptr));
-    add_all<3>(all, static_cast<KernelList<3> const*>(nullptr));
-    return all;
+std::deque<KernelPart>& parts() {
+  static std::deque<KernelPart> all = [] {
+    std::vector<KernelPart> const ours = parts_of_all(AllKernels());
+    return std::deque<KernelPart>(ours.begin(), ours.end());
   }();
-  return kernels;
+  return all;
+}
+
+KernelPart const* find_part(std::string_view id) {
+  for (KernelPart const& part : parts()) {
+    if (part.front().id() == id) return &part;
+  }
+  return nullptr;
 }
 
 }  // namespace
 
+void add_kernel(KernelPart const& part) {
+  std::string const id(part.front().id());
+  if (find_part(id)) throw std::invalid_argument("two kernels are called " + id);
+  parts().push_back(part);
+}
+
 Kernel const& kernel(std::string_view id, int dimension) {
-  for (Kernel const& one : all_kernels()) {
-    if (one.id() == id && one.dimension() == dimension) return one;
-  }
+  KernelPart const* const part = dimension >= 1 && dimension <= 3 ? find_part(id) : nullptr;
+  if (part) return (*part)[static_cast<std::size_t>(dimension - 1)];
   throw std::invalid_argument("no kernel " + std::string(id) + " in " + std::to_string(dimension) +
                               " dimensions");
 }
 
 Kernel const& default_kernel(int dimension) { return kernel(CubicSpline<1>::id, dimension); }
 
-std::vector<KernelInfo> const& all_kernel_infos() {
-  static std::vector<KernelInfo> const infos = [] {
-    std::vector<KernelInfo> all;
-    for (Kernel const& one : all_kernels()) {
-      if (one.dimension() == 1) all.push_back(one.info());
-    }
-    return all;
-  }();
-  return infos;
+std::vector<KernelInfo> all_kernel_infos() {
+  std::vector<KernelInfo> all;
+  for (KernelPart const& part : parts()) all.push_back(part.front().info());
+  return all;
 }
 
 }  // namespace sphverify

@@ -123,6 +123,13 @@ class Kernel {
   double whole_second_moment_ = 0.0;
 };
 
+/// A kernel in 1, 2 and 3 dimensions. kernel_part<Kernel>() of kernel_of.hpp makes it of a header.
+using KernelPart = std::array<Kernel, 3>;
+
+/// Adds a kernel to those of KernelList, before anything else is asked of them; its loops over pairs are added beside
+/// (sweep/dispatch.hpp). Throws std::invalid_argument if there is one of that identifier.
+void add_kernel(KernelPart const& part);
+
 /// The kernel of an id in 1, 2 or 3 dimensions; it lives as long as the program. Throws std::invalid_argument
 /// where there is none.
 Kernel const& kernel(std::string_view id, int dimension);
@@ -130,7 +137,7 @@ Kernel const& kernel(std::string_view id, int dimension);
 /// What is taken where nothing else is asked for: the cubic spline.
 Kernel const& default_kernel(int dimension);
 
-/// In the order of KernelList.
-std::vector<KernelInfo> const& all_kernel_infos();
+/// Those of KernelList in its order, then those that were added.
+std::vector<KernelInfo> all_kernel_infos();
 
 }  // namespace sphverify

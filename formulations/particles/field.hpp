@@ -21,7 +21,12 @@ enum class Field {
   acceleration,
   heating,
   sound_speed,
-  density_rate
+  density_rate,
+  // What a scheme's first passes write that has no name above; each scheme means something of its own by them.
+  pass_number,
+  pass_number_2,
+  pass_vector,
+  pass_tensor  ///< symmetric
 };
 
 using FieldSet = FlagSet<Field>;
@@ -31,9 +36,15 @@ struct FieldInfo {
   std::string_view name;  ///< as written in documents
   bool is_vector;
   std::string_view unit;  ///< in SI; any coherent system of units serves
+  bool is_tensor = false;
+
+  /// Numbers per particle.
+  constexpr int components(int dimension) const {
+    return is_vector ? dimension : is_tensor ? dimension * (dimension + 1) / 2 : 1;
+  }
 };
 
-inline constexpr std::array<FieldInfo, 13> field_infos{{
+inline constexpr std::array<FieldInfo, 17> field_infos{{
     {Field::position, "position", true, "m"},
     {Field::mass, "mass", false, "kg"},
     {Field::density, "density", false, "kg/m^3"},
@@ -47,7 +58,14 @@ inline constexpr std::array<FieldInfo, 13> field_infos{{
     {Field::heating, "heating", false, "W/kg"},
     {Field::sound_speed, "sound_speed", false, "m/s"},
     {Field::density_rate, "density_rate", false, "kg/(m^3 s)"},
+    {Field::pass_number, "pass_number", false, "the scheme's"},
+    {Field::pass_number_2, "pass_number_2", false, "the scheme's"},
+    {Field::pass_vector, "pass_vector", true, "the scheme's"},
+    {Field::pass_tensor, "pass_tensor", false, "the scheme's", true},
 }};
+
+/// Those that a scheme gives a meaning of its own.
+inline constexpr FieldSet pass_fields{Field::pass_number, Field::pass_number_2, Field::pass_vector, Field::pass_tensor};
 
 constexpr FieldInfo const& info(Field field) { return field_infos[static_cast<std::size_t>(field)]; }
 

@@ -24,7 +24,9 @@ void Particles<Dim>::set_kernel(Kernel const& kernel) {
 template <int Dim>
 void Particles<Dim>::allocate(Field field) {
   if (has(field)) return;
-  if (info(field).is_vector) {
+  if (info(field).is_tensor) {
+    tensor_ = TensorField<Dim>(size_);
+  } else if (info(field).is_vector) {
     vectors_[index(field)] = VectorField<Dim>(size_);
   } else {
     scalars_[index(field)].assign(size_, 0.0);
@@ -40,6 +42,7 @@ void Particles<Dim>::allocate(FieldSet fields) {
 
 template <int Dim>
 bool Particles<Dim>::has(Field field) const {
+  if (info(field).is_tensor) return tensor_.size() > 0;
   return info(field).is_vector ? vectors_[index(field)].size() > 0 : !scalars_[index(field)].empty();
 }
 
@@ -48,18 +51,19 @@ std::size_t Particles<Dim>::bytes() const {
   std::size_t bytes = smoothing_lengths_.capacity() * sizeof(double);
   for (auto const& field : scalars_) bytes += field.capacity() * sizeof(double);
   for (auto const& field : vectors_) bytes += Dim * field.component(0).capacity() * sizeof(double);
+  for (int n = 0; n < TensorField<Dim>::components; ++n) bytes += tensor_.component(n).capacity() * sizeof(double);
   return bytes;
 }
 
 template <int Dim>
 std::vector<double>& Particles<Dim>::scalar(Field field) {
-  expects(!info(field).is_vector && has(field));
+  expects(!info(field).is_vector && !info(field).is_tensor && has(field));
   return scalars_[index(field)];
 }
 
 template <int Dim>
 std::vector<double> const& Particles<Dim>::scalar(Field field) const {
-  expects(!info(field).is_vector && has(field));
+  expects(!info(field).is_vector && !info(field).is_tensor && has(field));
   return scalars_[index(field)];
 }
 
@@ -73,6 +77,18 @@ template <int Dim>
 VectorField<Dim> const& Particles<Dim>::vector(Field field) const {
   expects(info(field).is_vector && has(field));
   return vectors_[index(field)];
+}
+
+template <int Dim>
+TensorField<Dim>& Particles<Dim>::tensor(Field field) {
+  expects(info(field).is_tensor && has(field));
+  return tensor_;
+}
+
+template <int Dim>
+TensorField<Dim> const& Particles<Dim>::tensor(Field field) const {
+  expects(info(field).is_tensor && has(field));
+  return tensor_;
 }
 
 template class Particles<1>;

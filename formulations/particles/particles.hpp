@@ -41,6 +41,38 @@ class VectorField {
   std::array<std::vector<double>, Dim> components_;
 };
 
+/// One symmetric tensor per particle, its different elements stored one after the other.
+template <int Dim>
+class TensorField {
+ public:
+  static constexpr int components = Dim * (Dim + 1) / 2;
+
+  TensorField() = default;
+  explicit TensorField(std::size_t count) {
+    for (auto& element : elements_) element.assign(count, 0.0);
+  }
+
+  std::size_t size() const { return elements_[0].size(); }
+
+  Tensor<Dim> operator[](std::size_t i) const {
+    Tensor<Dim> t;
+    for (int k = 0; k < Dim; ++k)
+      for (int l = 0; l < Dim; ++l) t(k, l) = component(tensor_index(k, l))[i];
+    return t;
+  }
+  void set(std::size_t i, Tensor<Dim> const& t) {
+    for (int l = 0; l < Dim; ++l)
+      for (int k = 0; k <= l; ++k) component(tensor_index(k, l))[i] = t(k, l);
+  }
+  void add(std::size_t i, Tensor<Dim> const& t) { set(i, (*this)[i] + t); }
+
+  std::vector<double>& component(int n) { return elements_[static_cast<std::size_t>(n)]; }
+  std::vector<double> const& component(int n) const { return elements_[static_cast<std::size_t>(n)]; }
+
+ private:
+  std::array<std::vector<double>, components> elements_;
+};
+
 /// Particles as structure of arrays. A field is empty until `allocate` is called for it.
 template <int Dim>
 class Particles {
@@ -77,6 +109,10 @@ class Particles {
   VectorField<Dim>& vector(Field field);
   VectorField<Dim> const& vector(Field field) const;
 
+  /// Field of symmetric tensors; expects that it is allocated.
+  TensorField<Dim>& tensor(Field field);
+  TensorField<Dim> const& tensor(Field field) const;
+
   VectorField<Dim>& positions() { return vector(Field::position); }
   VectorField<Dim> const& positions() const { return vector(Field::position); }
   std::vector<double>& masses() { return scalar(Field::mass); }
@@ -89,6 +125,7 @@ class Particles {
   std::vector<double> smoothing_lengths_;
   std::array<std::vector<double>, field_infos.size()> scalars_;
   std::array<VectorField<Dim>, field_infos.size()> vectors_;
+  TensorField<Dim> tensor_;  ///< there is one
 };
 
 extern template class Particles<1>;

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "formulations/basics/tensor_index.hpp"
+
 // Everything that depends on the instruction set lives in a namespace named after it: the linker must never
 // take a function that was compiled for one set for another's.
 #ifndef SPHVERIFY_INSTRUCTION_SET
@@ -52,6 +54,11 @@ struct Pack {
   }
 
   SPHVERIFY_INLINE friend Mask operator<(Pack a, Pack b) { return a.lanes < b.lanes; }
+  SPHVERIFY_INLINE friend Mask operator<=(Pack a, Pack b) { return a.lanes <= b.lanes; }
+  SPHVERIFY_INLINE friend Mask operator>(Pack a, Pack b) { return a.lanes > b.lanes; }
+  SPHVERIFY_INLINE friend Mask operator>=(Pack a, Pack b) { return a.lanes >= b.lanes; }
+  SPHVERIFY_INLINE friend Mask operator==(Pack a, Pack b) { return a.lanes == b.lanes; }
+  SPHVERIFY_INLINE friend Mask operator!=(Pack a, Pack b) { return a.lanes != b.lanes; }
   SPHVERIFY_INLINE friend Pack select(Mask mask, Pack yes, Pack no) { return mask ? yes.lanes : no.lanes; }
   SPHVERIFY_INLINE friend Pack min(Pack a, Pack b) { return select(a < b, a, b); }
   SPHVERIFY_INLINE friend Pack max(Pack a, Pack b) { return select(a < b, b, a); }
@@ -59,6 +66,18 @@ struct Pack {
     return Lanes{__builtin_sqrt(a.lanes[0]), __builtin_sqrt(a.lanes[1]), __builtin_sqrt(a.lanes[2]),
                  __builtin_sqrt(a.lanes[3])};
   }
+  SPHVERIFY_INLINE friend Pack abs(Pack a) { return max(a, -a); }
+
+  // Lane by lane through the C library: as accurate as it is, and as slow.
+  SPHVERIFY_INLINE friend Pack exp(Pack a) { return each(a, [](double x) { return __builtin_exp(x); }); }
+  SPHVERIFY_INLINE friend Pack log(Pack a) { return each(a, [](double x) { return __builtin_log(x); }); }
+  SPHVERIFY_INLINE friend Pack cbrt(Pack a) { return each(a, [](double x) { return __builtin_cbrt(x); }); }
+  SPHVERIFY_INLINE friend Pack tanh(Pack a) { return each(a, [](double x) { return __builtin_tanh(x); }); }
+  SPHVERIFY_INLINE friend Pack pow(Pack a, Pack b) {
+    return Lanes{__builtin_pow(a.lanes[0], b.lanes[0]), __builtin_pow(a.lanes[1], b.lanes[1]),
+                 __builtin_pow(a.lanes[2], b.lanes[2]), __builtin_pow(a.lanes[3], b.lanes[3])};
+  }
+
   /// To the nearest whole number; expects magnitudes below 2^51.
   SPHVERIFY_INLINE friend Pack nearest_integer(Pack a) {
     Pack const shift = 0x1.8p52;
@@ -70,6 +89,11 @@ struct Pack {
     double const a = lanes[0] < lanes[1] ? lanes[1] : lanes[0];
     double const b = lanes[2] < lanes[3] ? lanes[3] : lanes[2];
     return a < b ? b : a;
+  }
+
+ private:
+  SPHVERIFY_INLINE static Pack each(Pack a, double (*function)(double)) {
+    return Lanes{function(a.lanes[0]), function(a.lanes[1]), function(a.lanes[2]), function(a.lanes[3])};
   }
 };
 
@@ -141,6 +165,58 @@ struct RadialVector {
 template <int Dim>
 SPHVERIFY_INLINE Pack PackVector<Dim>::dot(RadialVector<Dim> const& b) const {
   return b.along * dot(b.r);
+}
+
+/// Four symmetric tensors, by their different elements (tensor_index).
+template <int Dim>
+struct PackTensor {
+  static constexpr int components = Dim * (Dim + 1) / 2;
+  Pack element[components];
+
+  SPHVERIFY_INLINE Pack operator()(int k, int l) const { return element[tensor_index(k, l)]; }
+  SPHVERIFY_INLINE PackTensor eval() const { return *this; }
+  SPHVERIFY_INLINE Pack trace() const {
+    Pack sum = element[0];
+    for (int k = 1; k < Dim; ++k) sum += (*this)(k, k);
+    return sum;
+  }
+  SPHVERIFY_INLINE friend PackTensor operator+(PackTensor a, PackTensor const& b) {
+    for (int n = 0; n < components; ++n) a.element[n] += b.element[n];
+    return a;
+  }
+  SPHVERIFY_INLINE friend PackTensor operator-(PackTensor a, PackTensor const& b) {
+    for (int n = 0; n < components; ++n) a.element[n] -= b.element[n];
+    return a;
+  }
+  SPHVERIFY_INLINE friend PackTensor operator*(Pack s, PackTensor a) {
+    for (int n = 0; n < components; ++n) a.element[n] = s * a.element[n];
+    return a;
+  }
+  SPHVERIFY_INLINE friend PackVector<Dim> operator*(PackTensor const& a, PackVector<Dim> const& v) {
+    PackVector<Dim> product;
+    for (int k = 0; k < Dim; ++k) {
+      product.component[k] = a(k, 0) * v.component[0];
+      for (int l = 1; l < Dim; ++l) product.component[k] += a(k, l) * v.component[l];
+    }
+    return product;
+  }
+  SPHVERIFY_INLINE friend PackVector<Dim> operator*(PackTensor const& a, RadialVector<Dim> const& v) {
+    return v.along * (a * v.r);
+  }
+  SPHVERIFY_INLINE PackTensor& operator+=(PackTensor const& b) { return *this = *this + b; }
+};
+
+/// a b^T of two vectors along each other, which is symmetric.
+template <int Dim>
+SPHVERIFY_INLINE PackTensor<Dim> outer(PackVector<Dim> const& a, PackVector<Dim> const& b) {
+  PackTensor<Dim> product;
+  for (int l = 0; l < Dim; ++l)
+    for (int k = 0; k <= l; ++k) product.element[tensor_index(k, l)] = a.component[k] * b.component[l];
+  return product;
+}
+template <int Dim>
+SPHVERIFY_INLINE PackTensor<Dim> outer(PackVector<Dim> const& a, RadialVector<Dim> const& b) {
+  return b.along * outer(a, b.r);
 }
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

@@ -1,39 +1,31 @@
 #include "formulations/sweep/dispatch.hpp"
 
+#include <vector>
+
+#include "formulations/all.hpp"
 #include "formulations/basics/expects.hpp"
 #include "formulations/kernels/all.hpp"
-#include "formulations/simd/instruction_set.hpp"
 
 namespace sphverify {
 
-// Instantiated in the files that are made of kernels.cpp.in.
-namespace baseline {
-template <template <int> class Kernel, int Dim>
-SweepKernels const& loops();
-}
-namespace avx2 {
-template <template <int> class Kernel, int Dim>
-SweepKernels const& loops();
-}
-
 namespace {
 
-using Loops = SweepKernels const& (*)();
+template <template <int> class... Kernels>
+std::vector<KernelLoops> loops_of_all(KernelPack<Kernels...>) {
+  return {loops_of_kernel<Kernels, AllSchemes>()...};
+}
 
-struct OfKernel {
-  std::string_view id;
-  Loops baseline, avx2;
-};
+std::vector<KernelLoops>& all_loops() {
+  static std::vector<KernelLoops> all = loops_of_all(AllKernels());
+  return all;
+}
 
-template <int Dim, template <int> class... Kernels>
-SweepKernels const* find(KernelPack<Kernels...>, std::string_view kernel, Loops OfKernel::*set) {
-#if defined(__x86_64__)
-  constexpr OfKernel all[] = {{Kernels<Dim>::id, baseline::loops<Kernels, Dim>, avx2::loops<Kernels, Dim>}...};
-#else
-  constexpr OfKernel all[] = {{Kernels<Dim>::id, baseline::loops<Kernels, Dim>, nullptr}...};
-#endif
-  for (OfKernel const& one : all) {
-    if (one.id == kernel) return one.*set ? &(one.*set)() : nullptr;
+template <int Dim>
+SweepKernels const* find(std::string_view kernel, std::array<KernelLoops::InDimension, 3> KernelLoops::*set) {
+  for (KernelLoops const& one : all_loops()) {
+    if (one.kernel != kernel) continue;
+    auto const loops = (one.*set)[Dim - 1];
+    return loops ? &loops() : nullptr;
   }
   return nullptr;
 }
@@ -42,12 +34,12 @@ SweepKernels const* find(KernelPack<Kernels...>, std::string_view kernel, Loops 
 
 template <int Dim>
 SweepKernels const* baseline_kernels(std::string_view kernel) {
-  return find<Dim>(AllKernels(), kernel, &OfKernel::baseline);
+  return find<Dim>(kernel, &KernelLoops::baseline);
 }
 
 template <int Dim>
 SweepKernels const* avx2_kernels(std::string_view kernel) {
-  return find<Dim>(AllKernels(), kernel, &OfKernel::avx2);
+  return find<Dim>(kernel, &KernelLoops::avx2);
 }
 
 template <int Dim>
@@ -58,10 +50,19 @@ SweepKernels const& sweep_kernels(std::string_view kernel) {
   return *found;
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                        \
-  template SweepKernels const* baseline_kernels<Dim>(std::string_view);   \
-  template SweepKernels const* avx2_kernels<Dim>(std::string_view);       \
-  template SweepKernels const& sweep_kernels<Dim>(std::string_view);
+void add_kernel_loops(KernelLoops const& loops) { all_loops().push_back(loops); }
+
+template <int Dim>
+std::vector<FusedWithKernel>& added_fused_loops() {
+  static std::vector<FusedWithKernel> added;
+  return added;
+}
+
+#define SPHVERIFY_INSTANTIATE(Dim)                                      \
+  template SweepKernels const* baseline_kernels<Dim>(std::string_view); \
+  template SweepKernels const* avx2_kernels<Dim>(std::string_view);     \
+  template SweepKernels const& sweep_kernels<Dim>(std::string_view);    \
+  template std::vector<FusedWithKernel>& added_fused_loops<Dim>();
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

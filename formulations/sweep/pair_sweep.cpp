@@ -95,21 +95,36 @@ struct PairSweep<Dim>::Records {
     if (slots.v >= 0) vector(particles.vector(Field::velocity), slots.v);
     if (state_velocity && slots.u >= 0) vector(*state_velocity, slots.u);
     if (slots.F >= 0) vector(particles.vector(Field::flux), slots.F);
+    scalar(Field::pass_number, slots.pass_number);
+    scalar(Field::pass_number_2, slots.pass_number_2);
+    if (slots.pass_vector >= 0) vector(particles.vector(Field::pass_vector), slots.pass_vector);
+    if (slots.pass_tensor >= 0) {
+      auto const& tensor = particles.tensor(Field::pass_tensor);
+      for (int n = 0; n < TensorField<Dim>::components; ++n)
+        sources[static_cast<std::size_t>(slots.pass_tensor + n)] = tensor.component(n).data();
+    }
     return sources;
   }
 };
 
 /// The loop made for just these terms, if there is one for such particles.
 template <int Dim>
-FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan, SweepKernels const& kernels) const {
+FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan, std::string_view kernel,
+                                        SweepKernels const& kernels) const {
   if (plan.slots.h >= 0 || plan.wrapping == Wrapping::turned) return nullptr;
   bool const drifts = plan.slots.u != plan.slots.v;
-  for (FusedSweep const& one : kernels.fused) {
-    if (drifts && !one.reads_state_velocity) continue;
+  auto const fits = [&](FusedSweep const& one) {
+    if (drifts && !one.reads_state_velocity) return false;
     std::size_t same = 0;
     while (same < terms_.size() && same < one.terms.size() && one.terms[same] == terms_[same].sum) ++same;
     bool const all = same == terms_.size() && (same == one.terms.size() || one.terms[same] == nullptr);
-    if (all && one.reads == reads_) return &one;
+    return all && one.reads == reads_;
+  };
+  for (FusedSweep const& one : kernels.fused) {
+    if (fits(one)) return &one;
+  }
+  for (FusedWithKernel const& one : added_fused_loops<Dim>()) {
+    if (one.kernel == kernel && fits(one.sweep)) return &one.sweep;
   }
   return nullptr;
 }
@@ -137,6 +152,13 @@ template <int Dim>
 void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, VectorField<Dim>& out) {
   std::vector<double*> components;
   for (int k = 0; k < Dim; ++k) components.push_back(out.component(k).data());
+  add(sum, reads, kernel, components, nullptr);
+}
+
+template <int Dim>
+void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, TensorField<Dim>& out) {
+  std::vector<double*> components;
+  for (int n = 0; n < TensorField<Dim>::components; ++n) components.push_back(out.component(n).data());
   add(sum, reads, kernel, components, nullptr);
 }
 
@@ -171,7 +193,7 @@ void PairSweep<Dim>::run(Particles<Dim> const& particles, VectorField<Dim> const
   Records const records(reads_, particles, state_velocity, threads_);
   SweepPlan const sweep = plan(particles, records);
   SweepKernels const& kernels = sweep_kernels<Dim>(particles.kernel().id());
-  FusedSweep const* const made_for_this = fused(sweep, kernels);
+  FusedSweep const* const made_for_this = fused(sweep, particles.kernel().id(), kernels);
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
     if (made_for_this) return made_for_this->rows(sweep, begin, end);
     double* const scratch = row_space.of(scratch_size(sweep.stride));

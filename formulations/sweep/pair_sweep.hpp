@@ -24,6 +24,7 @@ class PairSweep {
   void add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, std::vector<double>& out,
            void const* parameters = nullptr);
   void add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, VectorField<Dim>& out);
+  void add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, TensorField<Dim>& out);
   /// The same for a term of several components.
   void add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, std::vector<double*> const& out,
            void const* parameters);
@@ -41,7 +42,7 @@ class PairSweep {
  private:
   struct Records;
 
-  FusedSweep const* fused(SweepPlan const& plan, SweepKernels const& kernels) const;
+  FusedSweep const* fused(SweepPlan const& plan, std::string_view kernel, SweepKernels const& kernels) const;
   SweepPlan plan(Particles<Dim> const& particles, Records const& records) const;
 
   NeighbourList const& neighbours_;

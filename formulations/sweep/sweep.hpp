@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "formulations/particles/field.hpp"
 
@@ -17,6 +19,9 @@ struct RecordSlots {
   int v = -1;        ///< velocity with which the particle drifts, `Dim` doubles
   int u = -1;        ///< velocity of the state, which viscosity rubs with; most often the same
   int F = -1;        ///< heat flux, `Dim` doubles
+  int pass_number = -1, pass_number_2 = -1;
+  int pass_vector = -1;  ///< `Dim` doubles
+  int pass_tensor = -1;  ///< its Dim(Dim + 1)/2 different elements
   int used = 0;      ///< doubles in all
 
   /// Doubles from one record to the next: whole packs.
@@ -48,6 +53,10 @@ constexpr RecordSlots record_slots(FieldSet reads, int dimension, bool own_lengt
     slots.u = drifts ? take(dimension) : slots.v;
   }
   if (reads.contains(Field::flux)) slots.F = take(dimension);
+  if (reads.contains(Field::pass_number)) slots.pass_number = take(1);
+  if (reads.contains(Field::pass_number_2)) slots.pass_number_2 = take(1);
+  if (reads.contains(Field::pass_vector)) slots.pass_vector = take(dimension);
+  if (reads.contains(Field::pass_tensor)) slots.pass_tensor = take(info(Field::pass_tensor).components(dimension));
   return slots;
 }
 
@@ -69,7 +78,7 @@ struct Row {
 
 /// What one sweep can hold.
 inline constexpr std::size_t most_terms = 6;
-inline constexpr std::size_t most_components = 5;
+inline constexpr std::size_t most_components = 6;
 
 /// Adds a term's sum over a row to as many numbers as the term has components.
 using RowFunction = void (*)(Row const& row, void const* parameters, double* sums);
@@ -103,10 +112,9 @@ struct SweepPlan {
   std::size_t term_count;
 };
 
-inline constexpr std::size_t most_schemes = 32;
 inline constexpr std::size_t most_passes = 4;
 
-/// What a compared scheme has of its own.
+/// What a scheme has of its own, whatever the kernel.
 struct SchemeLoops {
   std::array<RowFunction, most_passes> passes;  ///< that of the rate last, then null
   /// Per pair of a row its conductance, for conduction that is linear on particles at rest; null for other forms.
@@ -122,16 +130,18 @@ struct FusedSweep {
   bool reads_state_velocity;         ///< serves plans with drift too
   void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end);
 };
-inline constexpr std::size_t most_fused = 40;
+/// One that lies elsewhere than with its kernel.
+struct FusedWithKernel {
+  std::string_view kernel;
+  FusedSweep sweep;
+};
 
-/// The loops over pairs in one dimension, compiled for one instruction set.
+/// The loops over pairs of a kernel in one dimension, compiled for one instruction set.
 struct SweepKernels {
   char const* instruction_set;
   /// Rows begin to end of a plan. @param scratch scratch_size(stride) doubles, aligned to 32 bytes
   void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end, double* scratch);
-  std::array<SchemeLoops, most_schemes> schemes;  ///< in the order of AllSchemes
-  std::array<FusedSweep, most_fused> fused;
-  RowFunction continuity;
+  std::span<FusedSweep const> fused;
   RowFunction density;    ///< sum_j m_j W(r_ij, h_i), the particle itself left out
   RowFunction viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
   RowFunction approach;   ///< largest rate_of_approach()

@@ -16,19 +16,26 @@ template <int Dim>
 SPHVERIFY_INLINE void add_to(PackVector<Dim> const& sum, double* out) {
   for (int k = 0; k < Dim; ++k) out[k] += sum.component[k].sum();
 }
+template <int Dim>
+SPHVERIFY_INLINE void add_to(PackTensor<Dim> const& sum, double* out) {
+  for (int n = 0; n < PackTensor<Dim>::components; ++n) out[n] += sum.element[n].sum();
+}
 SPHVERIFY_INLINE void raise_to(Pack largest, double* out) {
   double const most = largest.largest();
   *out = *out < most ? most : *out;
 }
 
-template <int Dim, bool is_vector>
-struct SumOf {
-  Pack value = 0.0;
-};
-template <int Dim>
-struct SumOf<Dim, true> {
-  PackVector<Dim> value{};
-};
+/// What the pairs of a field are summed in, from zero.
+template <Field field, int Dim>
+constexpr auto zero_of() {
+  if constexpr (info(field).is_tensor) {
+    return PackTensor<Dim>{};
+  } else if constexpr (info(field).is_vector) {
+    return PackVector<Dim>{};
+  } else {
+    return Pack(0.0);
+  }
+}
 
 /// The pairs of pass n of a scheme.
 template <class Scheme, std::size_t n, int Dim>
@@ -36,14 +43,18 @@ struct PassTerm {
   using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
   static constexpr FieldSet reads = reads_of_pass<Scheme, n>();
   static constexpr bool wants_radial = true;
-  static constexpr bool is_vector = info(output_of<Pass>()).is_vector;
-  static constexpr int components = is_vector ? Dim : 1;
-  SumOf<Dim, is_vector> sum;
+  static constexpr int components = info(output_of<Pass>()).components(Dim);
+  decltype(zero_of<output_of<Pass>(), Dim>()) sum = zero_of<output_of<Pass>(), Dim>();
 
   SPHVERIFY_INLINE explicit PassTerm(void const*) {}
-  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) { sum.value += Pass::pair(i, j, W); }
-  SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum.value, out); }
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) { sum += Pass::pair(i, j, W); }
+  SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum, out); }
 };
+
+/// Its sum over a row, for the files that only name it: scheme_loops.hpp has the code.
+template <class Scheme, std::size_t n, int Dim>
+void sum_pass(Row const& row, void const* parameters, double* out);
+
 /// That of its rate, the last.
 template <class Scheme, int Dim>
 using RateTerm = PassTerm<Scheme, std::tuple_size_v<AllPasses<Scheme>> - 1, Dim>;
@@ -122,5 +133,23 @@ struct ApproachTerm {
   }
   SPHVERIFY_INLINE void write(double, double* out) const { raise_to(largest, out); }
 };
+
+/// A term's sum over a row that has been copied.
+template <class Term, int Dim>
+void sum_row(Row const& row, void const* parameters, double* out) {
+  View<Dim, Term::reads, ReadOwn> const i(row.slots, ReadOwn{row.own});
+  Term term(parameters);
+  for (std::size_t k = 0; k < row.count; k += Pack::size) {
+    View<Dim, Term::reads, ReadColumns> const j(row.slots, ReadColumns{row.columns + k});
+    term.add(i, j, KernelColumns<Dim>(row, k));
+  }
+  term.write(row.h, out);
+}
+
+/// By which a term is known: its sum over a row.
+template <class Term, int Dim>
+inline constexpr RowFunction row_sum = sum_row<Term, Dim>;
+template <class Scheme, std::size_t n, int Dim>
+inline constexpr RowFunction row_sum<PassTerm<Scheme, n, Dim>, Dim> = sum_pass<Scheme, n, Dim>;
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

@@ -57,6 +57,28 @@ class View {
   {
     return vector(slots_.F);
   }
+  SPHVERIFY_INLINE Pack pass_number() const
+    requires(reads.contains(Field::pass_number))
+  {
+    return read_(slots_.pass_number);
+  }
+  SPHVERIFY_INLINE Pack pass_number_2() const
+    requires(reads.contains(Field::pass_number_2))
+  {
+    return read_(slots_.pass_number_2);
+  }
+  SPHVERIFY_INLINE PackVector<Dim> pass_vector() const
+    requires(reads.contains(Field::pass_vector))
+  {
+    return vector(slots_.pass_vector);
+  }
+  SPHVERIFY_INLINE PackTensor<Dim> pass_tensor() const
+    requires(reads.contains(Field::pass_tensor))
+  {
+    PackTensor<Dim> value;
+    for (int n = 0; n < PackTensor<Dim>::components; ++n) value.element[n] = read_(slots_.pass_tensor + n);
+    return value;
+  }
 
  private:
   SPHVERIFY_INLINE PackVector<Dim> vector(int slot) const {

@@ -13,6 +13,11 @@ void increase(VectorField<Dim>& out, std::size_t i, Vector<Dim> const& value) {
   out.add(i, value);
 }
 
+template <int Dim>
+void increase(TensorField<Dim>& out, std::size_t i, Tensor<Dim> const& value) {
+  out.add(i, value);
+}
+
 /// out_i += term(i, wall) for every contact; returns the terms, one per contact.
 /// @tparam of_particle, of_wall what the term may read
 template <class Value, FieldSet of_particle, BoundaryValueSet of_wall, int Dim, class Out, class Term>

@@ -11,7 +11,9 @@ namespace sphverify {
 template <int Dim>
 struct FieldPointers {
   double const *m = nullptr, *rho = nullptr, *P = nullptr, *T = nullptr, *K = nullptr;
-  std::array<double const*, Dim> v{}, F{};
+  double const *pass_number = nullptr, *pass_number_2 = nullptr;
+  std::array<double const*, Dim> v{}, F{}, pass_vector{};
+  TensorField<Dim> const* pass_tensor = nullptr;
 
   explicit FieldPointers(Particles<Dim> const& particles) {
     auto const scalar = [&](Field f) { return particles.has(f) ? particles.scalar(f).data() : nullptr; };
@@ -20,7 +22,11 @@ struct FieldPointers {
     P = scalar(Field::pressure);
     T = scalar(Field::temperature);
     K = scalar(Field::conductivity);
+    pass_number = scalar(Field::pass_number);
+    pass_number_2 = scalar(Field::pass_number_2);
+    if (particles.has(Field::pass_tensor)) pass_tensor = &particles.tensor(Field::pass_tensor);
     for (int k = 0; k < Dim; ++k) {
+      if (particles.has(Field::pass_vector)) pass_vector[k] = particles.vector(Field::pass_vector).component(k).data();
       if (particles.has(Field::velocity)) v[k] = particles.vector(Field::velocity).component(k).data();
       if (particles.has(Field::flux)) F[k] = particles.vector(Field::flux).component(k).data();
     }
@@ -68,6 +74,26 @@ class ParticleView {
     requires(reads.contains(Field::flux))
   {
     return gather(f_->F);
+  }
+  double pass_number() const
+    requires(reads.contains(Field::pass_number))
+  {
+    return f_->pass_number[i_];
+  }
+  double pass_number_2() const
+    requires(reads.contains(Field::pass_number_2))
+  {
+    return f_->pass_number_2[i_];
+  }
+  Vector<Dim> pass_vector() const
+    requires(reads.contains(Field::pass_vector))
+  {
+    return gather(f_->pass_vector);
+  }
+  Tensor<Dim> pass_tensor() const
+    requires(reads.contains(Field::pass_tensor))
+  {
+    return (*f_->pass_tensor)[i_];
   }
 
  private:

@@ -23,7 +23,8 @@ struct InternalEnergyWork {
       .rate = Rate::internal_work,
       .reads = {Field::density, Field::pressure, Field::velocity},
       .kernel = {KernelWeight::gradient},
-      .boundary = {BoundaryValue::pressure, BoundaryValue::velocity}};
+      .boundary = {BoundaryValue::pressure, BoundaryValue::velocity},
+      .claims = {.steady_on_any_particles = true}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return -j.m() * (j.P() / square(j.rho())) * (j.v() - i.v()).dot(W.gradient());

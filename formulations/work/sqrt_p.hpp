@@ -30,7 +30,8 @@ struct SquareRootOfPressureWork {
       .reads = {Field::density, Field::pressure, Field::velocity},
       .kernel = {KernelWeight::gradient},
       .boundary = {BoundaryValue::pressure, BoundaryValue::velocity},
-      .non_negative = {Field::pressure}};
+      .non_negative = {Field::pressure},
+      .claims = {.steady_on_any_particles = true}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     using std::sqrt;

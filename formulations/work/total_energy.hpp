@@ -26,7 +26,8 @@ struct TotalEnergyWork {
       .reads = {Field::density, Field::pressure, Field::velocity},
       .kernel = {KernelWeight::gradient},
       .boundary = {BoundaryValue::pressure, BoundaryValue::velocity},
-      .conserves = {Invariant::energy}};
+      .conserves = {Invariant::energy},
+      .claims = {.galilean_invariant = false}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return -j.m() * (j.P() / square(j.rho()) * j.v() + i.P() / square(i.rho()) * i.v()).dot(W.gradient());

@@ -21,5 +21,6 @@ void add_report(CLI::App& app);
 void add_evaluate(CLI::App& app);
 void add_exact(CLI::App& app);
 void add_order(CLI::App& app);
+void add_claims(CLI::App& app);
 
 }  // namespace sphverify

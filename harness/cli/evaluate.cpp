@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
+#include "harness/study/load_plugin.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/printable.hpp"
 
@@ -14,13 +15,16 @@ void add_evaluate(CLI::App& app) {
   struct EvaluateCommand {
     std::string state;
     std::string output = "-";
+    std::vector<std::string> plugins;
   };
   auto command = std::make_shared<EvaluateCommand>();
   CLI::App* sub = app.add_subcommand("evaluate", "Rates of every scheme on particles that you give");
   sub->add_option("STATE.json", command->state, "A state document; - for standard input")->required();
   sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default");
+  sub->add_option("--plugin", command->plugins, "Shared libraries whose rates are wanted too (sphverify/plugin.h)");
   sub->footer("Example: sphverify evaluate state.json -o rates.json");
   sub->callback([command] {
+    for (std::string const& path : command->plugins) load_plugin_for_user(path, path, "");
     require_writable(command->output, command->state);
     Json const state = read_json_file(command->state);
     Json const rates = evaluate_state(Node(state, command->state));

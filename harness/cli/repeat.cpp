@@ -47,7 +47,7 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
   // The refinement path starts at the study's coarsest level, which stands beside the run.
   Json resolutions = Json::array({whole.at("resolution").front()});
   if (resolutions.front() != run.resolution) resolutions.push_back(run.resolution);
-  Json const document = {
+  Json document = {
       {"schema", "sphverify-study/1"},
       {"name", whole.at("name")},
       {"cases", Json::array({{{"id", record.at("case")}, {"parameters", used_parameters(run)}}})},
@@ -59,6 +59,7 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
       {"threads", whole.at("threads")},
       {"repeat", whole.at("repeat")},
       {"time_budget", whole.at("time_budget")}};
+  if (whole.contains("plugins")) document["plugins"] = whole.at("plugins");
   return read_study(Node(document, file));
 }
 

@@ -26,17 +26,18 @@ Json list(VectorField<Dim> const& field) {
   return rows;
 }
 
-template <int Dim>
-std::vector<std::span<double const>> components_of(VectorField<Dim> const& field) {
+template <class AField>
+std::vector<std::span<double const>> components_of(AField const& field, int count) {
   std::vector<std::span<double const>> all;
-  for (int k = 0; k < Dim; ++k) all.emplace_back(field.component(k));
+  for (int k = 0; k < count; ++k) all.emplace_back(field.component(k));
   return all;
 }
 
-/// A field of numbers or of vectors, component by component.
+/// A field of numbers, of vectors or of tensors, component by component.
 template <int Dim>
 std::vector<std::span<double const>> values_of(Particles<Dim> const& particles, Field field) {
-  if (info(field).is_vector) return components_of(particles.vector(field));
+  if (info(field).is_tensor) return components_of(particles.tensor(field), TensorField<Dim>::components);
+  if (info(field).is_vector) return components_of(particles.vector(field), Dim);
   return {particles.scalar(field)};
 }
 
@@ -80,6 +81,8 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
     rate->evaluate(particles, geometry, closure, 0.0, 1, work);
   } catch (UndefinedRate const& error) {
     return {{output, nullptr}, {"reason", error.what()}};
+  } catch (std::invalid_argument const& error) {  // a plug-in that says that it failed
+    return {{output, nullptr}, {"reason", error.what()}};
   }
   std::string why = why_not_finite(output, values_of(particles, output_field(scheme.rate)));
   for (PassInfo const& pass : scheme.first_passes) {
@@ -93,6 +96,7 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
     json[output] = particles.scalar(Field::heating);
   }
   for (PassInfo const& pass : scheme.first_passes) {
+    if (pass_fields.contains(pass.writes)) continue;  // means something to the scheme alone
     std::string const name(info(pass.writes).name);
     if (info(pass.writes).is_vector) {
       json[name] = list(particles.vector(pass.writes));

@@ -143,7 +143,7 @@ State<Dim> read_state(Node const& document) {
   for (FieldInfo const& field : field_infos) {
     constexpr FieldSet computed{Field::acceleration, Field::heating, Field::flux, Field::sound_speed,
                                 Field::density_rate};
-    if (!computed.contains(field.field)) keys.emplace_back(field.name);
+    if (!computed.contains(field.field) && !pass_fields.contains(field.field)) keys.emplace_back(field.name);
   }
   node.require_keys(keys);
   std::size_t const count = node.at("position").elements().size();

@@ -163,7 +163,7 @@ void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) 
     for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(temperature[j]);
   }
   // Forms of several passes feel their neighbours' neighbours.
-  for (int pass = 1; pass < pass_count(scene_.scheme()); ++pass) {
+  for (int pass = 1; pass < supports_seen(scene_.scheme()); ++pass) {
     std::vector<Range> const nearer = around;
     for (std::size_t i = 0; i < n; ++i) {
       for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(nearer[j]);

@@ -210,7 +210,7 @@ void measure(Series& series, std::vector<RunRecord> const& runs) {
   // A ladder of which every run failed still gets a verdict.
   if (measured.empty() && std::any_of(series.runs.begin(), series.runs.end(),
                                       [&](std::size_t index) { return runs[index].status != "ok"; })) {
-    bool const moving = series.formulation.id.starts_with("momentum/");
+    bool const moving = !series.formulation.work.empty();
     measured.emplace(moving ? "velocity" : "temperature", "all");
   }
   for (auto const& [field, region] : measured) {

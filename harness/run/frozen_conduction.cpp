@@ -46,7 +46,7 @@ template <int Dim>
 ColouredJacobian& FrozenConduction<Dim>::jacobian() {
   if (!jacobian_) {
     jacobian_ = std::make_unique<ColouredJacobian>(
-        dependencies(scene_.geometry(), pass_count(scene_.scheme())),
+        dependencies(scene_.geometry(), supports_seen(scene_.scheme())),
         [this](double t, double const* T, double* out) { rate(t, T, out); },
         scene_.problem().conducts_linearly(), temperature_scale_);
   }

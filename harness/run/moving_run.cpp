@@ -470,6 +470,7 @@ class MovingRun {
     SceneChoice other = choice_;
     bool const total = find_scheme(choice_.work)->rate == Rate::total_work;
     other.work = total ? find_scheme(choice_.formulation)->work_partner : "work/total-energy";
+    if (other.work.empty()) return;  // the form knows of no other
     RunRecord const kept = record_;
     auto const found = integrate(other, accepted_rung());
     if (!found) {

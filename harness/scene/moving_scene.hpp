@@ -149,6 +149,21 @@ class MovingScene {
   std::map<std::string_view, std::uint64_t> passes_;
 };
 
+template <int Dim>
+template <class Value>
+double MovingScene<Dim>::face_mean(WallContacts<Dim> const& contacts, Value const& value) const {
+  double sum = 0.0;
+  double weight = 0.0;
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t const i = contacts.particle[c];
+    double const face =
+        particles_.masses()[i] / particles_.scalar(Field::density)[i] * contacts.face_weight[c];
+    sum += face * value(c);
+    weight += face;
+  }
+  return weight != 0.0 ? sum / weight : 0.0;
+}
+
 extern template class MovingScene<1>;
 extern template class MovingScene<2>;
 extern template class MovingScene<3>;

@@ -83,7 +83,7 @@ void Scene<Dim>::set_fields() {
     for (std::size_t i = 0; i < values.size(); ++i) values[i] = exact(particles_.positions()[i], 0.0);
   }
   for (auto const& [field, exact] : problem_.vectors) {
-    if (field == Field::flux || !particles_.has(field)) continue;
+    if (scheme().first_passes.writes().contains(field) || !particles_.has(field)) continue;
     auto& values = particles_.vector(field);
     for (std::size_t i = 0; i < particles_.size(); ++i) values.set(i, exact(particles_.positions()[i], 0.0));
   }

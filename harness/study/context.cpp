@@ -21,7 +21,20 @@ std::string processor_name() {
   return "unknown";
 }
 
+struct Identity {
+  std::string program = "sphverify";
+  std::vector<std::string> added;
+};
+Identity& identity() {
+  static Identity one;
+  return one;
+}
+
 }  // namespace
+
+std::string const& program_name() { return identity().program; }
+void set_program_name(std::string_view name) { identity().program = name; }
+void note_added_part(std::string_view id) { identity().added.emplace_back(id); }
 
 Context current_context() {
   return {.version = build::version,
@@ -30,7 +43,9 @@ Context current_context() {
           .flags = build::flags,
           .processor = processor_name(),
           .date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
-          .cores = static_cast<int>(std::thread::hardware_concurrency())};
+          .cores = static_cast<int>(std::thread::hardware_concurrency()),
+          .program = identity().program,
+          .added = identity().added};
 }
 
 }  // namespace sphverify

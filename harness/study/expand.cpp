@@ -11,6 +11,14 @@ namespace sphverify {
 
 namespace {
 
+/// Why a momentum form has no energy equation; empty if it has one.
+std::string without_work(FormulationChoice const& formulation) {
+  if (!formulation.work.empty()) return "";
+  std::string const partner(find_scheme(formulation.id)->work_partner);
+  if (partner.empty()) return "it names no energy equation of its own: a study must say its `work`";
+  return find_scheme(partner) ? "" : "its energy equation, " + partner + ", is not among the formulations";
+}
+
 /// Why a formulation cannot run on a case; empty if it can.
 std::string mismatch(CaseInfo const& scene_case, FormulationChoice const& formulation) {
   Rate const rate = find_scheme(formulation.id)->rate;
@@ -25,10 +33,12 @@ std::string mismatch(CaseInfo const& scene_case, FormulationChoice const& formul
       return rate == Rate::conduction_heating ? "" : "a work form has no rate on a conduction case";
     case CaseKind::hydro:
       if (!is_momentum) return "a moving gas needs a momentum form, with this one as its partner";
-      return formulation.conduction.empty() ? "" : "a gas that conducts no heat takes no conduction form";
+      return formulation.conduction.empty() ? without_work(formulation)
+                                            : "a gas that conducts no heat takes no conduction form";
     case CaseKind::coupled:
       if (!is_momentum) return "a moving gas needs a momentum form, with this one as its partner";
-      return formulation.conduction.empty() ? "a gas that conducts heat needs a conduction form" : "";
+      return formulation.conduction.empty() ? "a gas that conducts heat needs a conduction form"
+                                            : without_work(formulation);
   }
   return "";
 }

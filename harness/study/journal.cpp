@@ -11,6 +11,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "harness/study/fingerprint.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -54,6 +55,7 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
     fmt::print(stderr, "{}: starting afresh; the journal found there is kept as {}\n", path_, kept);
     file_ = open_for_one(path_);
   }
+  std::string const build = fingerprint(study.value("plugins", std::vector<std::string>()));
   std::string text;
   if (resume) {
     std::ifstream old(path_, std::ios::binary);
@@ -70,6 +72,10 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
       throw UserError(path_, "study", "the journal of another study",
                       "this one's: resume with the same document, or without --resume to start afresh");
     }
+    if (start == 0 && line.value("build", "") != build) {
+      throw UserError(path_, "build", "the journal of another build of the program or of a plug-in",
+                      "this one's: finish it with the build that began it, or start afresh without --resume");
+    }
     if (start > 0) {
       if (line.is_discarded()) throw UserError(path_, "", "a damaged line", "one finished run");
       read_line(line);
@@ -79,7 +85,7 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
   if (ftruncate(file_, static_cast<off_t>(text.size())) != 0 || lseek(file_, 0, SEEK_END) < 0) {
     throw std::runtime_error(path_ + ": " + std::strerror(errno));
   }
-  if (text.empty()) write_lines(Json{{"schema", schema}, {"study", study}}.dump() + "\n");
+  if (text.empty()) write_lines(Json{{"schema", schema}, {"build", build}, {"study", study}}.dump() + "\n");
 }
 
 void Journal::read_line(Json const& line) {

@@ -34,7 +34,7 @@ class OpenFile {
 class Journal {
  public:
   /// Opens the journal of a study. With `resume` what it holds is kept, a line cut short by a kill dropped; a
-  /// journal of another study throws UserError. Without, it starts afresh.
+  /// journal of another study, or of another build (fingerprint), throws UserError. Without, it starts afresh.
   Journal(std::string path, Json const& study, bool resume);
 
   /// Throws UserError if what is known of a run is of another one: somebody edited the journal.

@@ -19,6 +19,7 @@ struct StudyCase {
 struct Study {
   std::string name;
   std::vector<StudyCase> cases;
+  std::vector<std::string> plugins;  ///< paths of the shared libraries that it takes formulations from
   std::vector<FormulationChoice> formulations;
   std::vector<std::string> kernels, densities, face_weights, closures, integrators, smoothings, wall_motions;
   std::vector<std::optional<ViscosityChoice>> viscosities;  ///< empty: as the case needs

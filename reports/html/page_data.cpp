@@ -62,6 +62,8 @@ Json document_json(NamedResults const& document, SeriesRow const* rows, std::siz
                  {"flags", c.flags},
                  {"processor", c.processor},
                  {"cores", c.cores},
+                 {"program", c.program},
+                 {"added", c.added},
                  {"date", c.date}}},
                {"study", Json::parse(results.study)},
                {"disturbance", disturbance({rows, rows + results.series.size()})},

@@ -277,6 +277,11 @@ Results read_results(std::string const& path) {
                      context.at("processor").string(),
                      context.at("date").string(),
                      static_cast<int>(context.at("cores").integer(0, 1 << 30))};
+  // Documents of 0.1 have neither.
+  if (auto const program = context.find("program")) results.context.program = program->string();
+  if (auto const added = context.find("added")) {
+    for (Node const& id : added->elements()) results.context.added.push_back(id.string());
+  }
   results.study = node.at("study").json().dump();
   for (Node const& run : node.at("runs").elements()) results.runs.push_back(read_run(run));
   for (Node const& series : node.at("series").elements()) {

@@ -280,7 +280,8 @@ Json to_json(ObservedOrder const& o) {
 
 Json to_json(Context const& c) {
   return {{"version", c.version},     {"commit", c.commit}, {"compiler", c.compiler}, {"flags", c.flags},
-          {"processor", c.processor}, {"cores", c.cores},   {"date", c.date}};
+          {"processor", c.processor}, {"cores", c.cores},   {"date", c.date},
+          {"program", c.program},     {"added", c.added}};
 }
 
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {

@@ -48,10 +48,11 @@ function runLine(doc) {
 }
 
 function contextSection(doc) {
-  const { version, commit, compiler, flags, processor, cores, date } = doc.context;
+  const { version, commit, compiler, flags, processor, cores, date, program, added } = doc.context;
+  const parts = added.length ? `, with ${added.join(", ")} added` : "";
   const facts = [
     ["File", doc.name],
-    ["Version", `${version} (${commit})`],
+    ["Program", `${program} ${version} (${commit})${parts}`],
     ["Built with", `${compiler} ${flags}`],
     ["Machine", `${processor}, ${plural(cores, "core")}`],
     ["Date", date.replace("T", " ").replace("Z", " UTC")],

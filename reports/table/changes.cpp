@@ -339,7 +339,8 @@ Changes compare_two(NamedResults const& before, NamedResults const& after, std::
   Context const& a = before.results.context;
   Context const& b = after.results.context;
   changes.same_machine = a.commit == b.commit && !a.commit.ends_with("-dirty") && a.commit != "unknown" &&
-                         a.compiler == b.compiler && a.flags == b.flags && a.processor == b.processor;
+                         a.compiler == b.compiler && a.flags == b.flags && a.processor == b.processor &&
+                         a.added.empty() && b.added.empty();  // of these the commit says nothing
   for (char const* measure : measures) changes.counts.push_back({measure});
   match_all(before.results.series, after.results.series, changes, [&](Series const& s, Series const& t) {
     compare_series(before, s, after, t, region, norm, changes);

@@ -6,9 +6,11 @@ import sys
 sys.dont_write_bytecode = True
 
 import json
+import pathlib
 import unittest
+import zlib
 
-from program import DONE, ProgramTest, mutated, small_study
+from program import DONE, PROGRAM, ProgramTest, mutated, small_study
 
 LADDER = small_study(resolution=[8, 12, 16, 24], measure=["error", "conservation", "cost", "stability"])
 ORDER = ("series", 0, "orders", 0)
@@ -68,9 +70,11 @@ class Results(ProgramTest):
 class Journals(ProgramTest):
     """A journal of a finished run, made by hand from results."""
 
-    def journal(self, *records):
+    def journal(self, *records, build=None):
         self.results = self.study(LADDER, "whole.json")
-        header = {"schema": "sphverify-journal/1", "study": self.results["study"]}
+        built = pathlib.Path(PROGRAM).read_bytes()
+        build = build or f"{zlib.crc32(built):08x}-{len(built)}"
+        header = {"schema": "sphverify-journal/1", "build": build, "study": self.results["study"]}
         lines = [header] + [{"run": index, "record": self.record(index) | change} for index, change in records]
         self.write("r.json.journal", "".join(json.dumps(line) + "\n" for line in lines))
         return self.run_program("study", self.write("study.json", LADDER), "-o", "r.json", "--resume")
@@ -100,6 +104,11 @@ class Journals(ProgramTest):
     def test_a_record_with_impossible_numbers_is_refused(self):
         result = self.journal((1, {"spacing": -1}))
         self.assert_user_error(result, "r.json.journal: record.spacing: found -1")
+
+    def test_a_journal_of_another_build_is_refused(self):
+        result = self.journal((1, {}), build="00000000-1")
+        self.assert_user_error(result, "r.json.journal: build: found the journal of another build")
+        self.assertTrue((self.folder / "r.json.journal").exists())
 
     def test_a_journal_without_its_study_is_refused(self):
         self.write("r.json.journal", '{"schema": "sphverify-journal/1"}\n')

@@ -1,0 +1,63 @@
+# The loops over pairs are compiled once per instruction set, of templates in formulations/sweep; the program chooses a set at
+# run time. Only here may the compiler fuse a multiplication and an addition.
+set(SPHVERIFY_LOOP_TEMPLATES "${CMAKE_CURRENT_LIST_DIR}/../formulations/sweep" CACHE INTERNAL "")
+if(NOT EXISTS "${SPHVERIFY_LOOP_TEMPLATES}/kernel_loops.cpp.in")
+  set(SPHVERIFY_LOOP_TEMPLATES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "") # where they are installed
+endif()
+
+set(SPHVERIFY_INSTRUCTION_SETS baseline)
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+  list(APPEND SPHVERIFY_INSTRUCTION_SETS avx2)
+endif()
+
+# A source file that is compiled for an instruction set.
+function(sphverify_hot_file set file)
+  set(options -ffp-contract=fast -Wno-psabi)
+  if(SPHVERIFY_SANITIZE)
+    list(APPEND options -O1)
+  else()
+    list(APPEND options $<$<CONFIG:Release,RelWithDebInfo>:-O3>)
+  endif()
+  if(set STREQUAL "avx2" AND set IN_LIST SPHVERIFY_INSTRUCTION_SETS)
+    list(APPEND options -mavx2 -mfma -mpopcnt)
+  endif()
+  set_source_files_properties("${file}" PROPERTIES SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON
+    COMPILE_OPTIONS "${options}")
+endfunction()
+
+# sphverify_add_loops(TARGET FILE TEMPLATE SET FUSED): a file of a template, with the caller's `includes` and `instantiations`
+# in it. FUSED: whether it has loops made for single schemes, which take most of the time to compile.
+function(sphverify_add_loops target file template set fused)
+  set(path "${CMAKE_CURRENT_BINARY_DIR}/generated/${file}_${set}.cpp")
+  configure_file("${SPHVERIFY_LOOP_TEMPLATES}/${template}.cpp.in" "${path}" @ONLY)
+  target_sources(${target} PRIVATE "${path}")
+  sphverify_hot_file(${set} "${path}")
+endfunction()
+
+# The loops of a kernel for every instruction set.
+# @param type     Of 1, 2 and 3 dimensions, such as CubicSpline
+# @param schemes  a tuple of those that get a loop of their own with it
+# @param includes  lines that bring both
+function(sphverify_add_kernel_loops target name type schemes includes)
+  foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)
+    # Where there is a better set a processor without it can do without loops of single schemes, except with the kernel that
+    # most runs take.
+    set(fused 1)
+    if(set STREQUAL "baseline" AND "avx2" IN_LIST SPHVERIFY_INSTRUCTION_SETS AND NOT name STREQUAL "cubic_spline")
+      set(fused 0)
+    endif()
+    sphverify_add_loops(${target} "${name}" kernel_loops ${set} ${fused})
+  endforeach()
+endfunction()
+
+# The loops of schemes for every instruction set.
+# @param instantiations  explicit instantiations of what formulations/sweep/scheme_loops.hpp has
+function(sphverify_add_scheme_loops target name instantiations includes)
+  foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)
+    set(fused 1)
+    if(set STREQUAL "baseline" AND "avx2" IN_LIST SPHVERIFY_INSTRUCTION_SETS)
+      set(fused 0)
+    endif()
+    sphverify_add_loops(${target} "${name}" scheme_loops ${set} ${fused})
+  endforeach()
+endfunction()

@@ -1,0 +1,204 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+#include "formulations/basics/parallel.hpp"
+#include "formulations/rate_operator.hpp"
+#include "formulations/sweep/loops.hpp"
+#include "formulations/walls/sweep_wall.hpp"
+
+namespace sphverify {
+
+/// Throws UndefinedRate, which names the first of the values that is negative.
+void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::string_view quantity,
+                          std::vector<double> const& values);
+
+/// A scheme as its header has it, behind the common face: its passes one after the other, each over pairs and walls. Its loops
+/// over pairs are compiled elsewhere.
+template <class Scheme, int Dim>
+class SchemeOperator final : public RateOperator<Dim> {
+ public:
+  using Value = std::conditional_t<Scheme::info.rate == Rate::acceleration, Vector<Dim>, double>;
+  static constexpr std::size_t last = std::tuple_size_v<AllPasses<Scheme>> - 1;
+  template <std::size_t n>
+  using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
+
+  SchemeInfo const& info() const override { return Scheme::info; }
+
+  void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
+                  double time, int threads, PairSweep<Dim>& sweep) override {
+    with_pass(pass, [&]<std::size_t n>() {
+      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+        fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
+                             wall_values<n>(geometry.contacts[w]), closure, time);
+      }
+      if constexpr (n == last) {
+        check(particles, geometry);
+        if constexpr (Scheme::info.difference_form) {
+          if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
+        }
+      }
+      sweep.add(loops_of_scheme<Scheme, Dim>().passes[n], reads_of_pass<Scheme, n>(), Pass<n>::info.kernel,
+                output<Pass<n>>(particles));
+    });
+  }
+
+  void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& geometry,
+                WorkCount& work) override {
+    work.pair_interactions += geometry.neighbours.pairs();
+    for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
+    with_pass(pass, [&]<std::size_t n>() {
+      if constexpr (n == last) {
+        wall_terms_.clear();
+        exchanged_.clear();
+        for (auto const& contacts : geometry.contacts) {
+          wall_terms_.push_back(add_wall<n>(contacts, particles));
+          exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
+        }
+      } else {
+        for (auto const& contacts : geometry.contacts) add_wall<n>(contacts, particles);
+        finish<n>(particles);
+      }
+    });
+  }
+
+  void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) override {
+    if constexpr (Scheme::info.difference_form) {
+      PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
+      conductance_ = sweep.conductances(loops_of_scheme<Scheme, Dim>().conductance, reads_of_pass<Scheme, last>(), particles);
+    }
+  }
+
+  std::size_t bytes() const override { return conductance_.capacity() * sizeof(double); }
+
+  std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const override {
+    if constexpr (std::is_same_v<Value, Vector<Dim>>)
+      return wall_terms_;
+    else
+      return no_acceleration_;
+  }
+  std::vector<Vector<Dim>> const& wall_force() const override {
+    if constexpr (std::is_same_v<Value, Vector<Dim>>)
+      return exchanged_;
+    else
+      return no_force_;
+  }
+  std::vector<double> const& wall_power() const override {
+    if constexpr (std::is_same_v<Value, double>)
+      return exchanged_;
+    else
+      return no_power_;
+  }
+
+ private:
+  /// Calls act.operator()<n>() for the pass of that number.
+  template <class Act>
+  static void with_pass(int pass, Act const& act) {
+    [&]<std::size_t... n>(std::index_sequence<n...>) {
+      ((static_cast<int>(n) == pass ? act.template operator()<n>() : void()), ...);
+    }(std::make_index_sequence<last + 1>());
+  }
+
+  template <class APass>
+  static auto& output(Particles<Dim>& particles) {
+    constexpr FieldInfo field = sphverify::info(output_of<APass>());
+    if constexpr (field.is_tensor) {
+      return (particles.tensor(field.field));
+    } else if constexpr (field.is_vector) {
+      return (particles.vector(field.field));
+    } else {
+      return (particles.scalar(field.field));
+    }
+  }
+
+  template <std::size_t n>
+  static BoundaryValueSet wall_values(WallContacts<Dim> const& contacts) {
+    if constexpr (n == last) {
+      constexpr BoundaryValueSet flux_only{BoundaryValue::flux};
+      if (Scheme::info.boundary_if_prescribed.contains(BoundaryValue::flux) && contacts.prescribes_flux_only)
+        return flux_only;
+    }
+    return Pass<n>::info.boundary;
+  }
+
+  template <std::size_t n>
+  static auto add_wall(WallContacts<Dim> const& contacts, Particles<Dim>& particles) {
+    constexpr FieldInfo field = sphverify::info(output_of<Pass<n>>());
+    using Term = std::conditional_t<field.is_tensor, Tensor<Dim>, std::conditional_t<field.is_vector, Vector<Dim>, double>>;
+    constexpr BoundaryValueSet of_wall = [] {
+      if constexpr (n == last) return Scheme::info.boundary | Scheme::info.boundary_if_prescribed;
+      return Pass<n>::info.boundary;
+    }();
+    return sweep_wall<Term, reads_of_pass<Scheme, n>(), of_wall>(
+        contacts, particles, output<Pass<n>>(particles),
+        [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); });
+  }
+
+  /// Makes of a pass's sums what it writes.
+  template <std::size_t n>
+  static void finish(Particles<Dim>& particles) {
+    FieldPointers<Dim> const fields(particles);
+    auto& out = output<Pass<n>>(particles);
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+      ParticleView<Dim, reads_of_pass<Scheme, n>()> const own(fields, i);
+      if constexpr (!requires { Pass<n>::finish(own, out[i]); }) {
+        return;
+      } else if constexpr (std::is_same_v<decltype(out), std::vector<double>&>) {
+        out[i] = Pass<n>::finish(own, out[i]);
+      } else {
+        out.set(i, Pass<n>::finish(own, out[i]));
+      }
+    }
+  }
+
+  /// sum_i m_i term_i: what the wall gives to the particles, per time.
+  static Value total(WallContacts<Dim> const& contacts, Particles<Dim> const& particles,
+                     std::vector<Value> const& terms) {
+    Value sum{};
+    if constexpr (!std::is_same_v<Value, double>) sum.setZero();
+    for (std::size_t c = 0; c < terms.size(); ++c) sum += particles.masses()[contacts.particle[c]] * terms[c];
+    return sum;
+  }
+
+  void conduct(Particles<Dim>& particles, NeighbourList const& neighbours, int threads) const {
+    double const* const temperature = particles.scalar(Field::temperature).data();
+    double* const rate = particles.scalar(Field::heating).data();
+    for_each_block(neighbours.rows(), threads, [&](std::size_t begin, std::size_t end) {
+      sweep_kernels<Dim>(particles.kernel().id()).conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(),
+                                   temperature, begin, end, rate);
+    });
+  }
+
+  static void check(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry) {
+    if constexpr (Scheme::info.non_negative.contains(Field::pressure)) {
+      require_non_negative(Scheme::info, "particle", "pressure", particles.scalar(Field::pressure));
+      for (WallContacts<Dim> const& contacts : geometry.contacts) {
+        require_non_negative(Scheme::info, "wall", "pressure", contacts.pressure);
+      }
+    }
+  }
+
+  std::vector<double> conductance_;             ///< per pair, once frozen
+  std::vector<std::vector<Value>> wall_terms_;  ///< per wall and contact
+  std::vector<Value> exchanged_;
+  std::vector<std::vector<Vector<Dim>>> no_acceleration_;
+  std::vector<Vector<Dim>> no_force_;
+  std::vector<double> no_power_;
+};
+
+/// What to hand to add_scheme.
+template <class Scheme>
+SchemePart scheme_part() {
+  static_assert(IsScheme<Scheme>, "a scheme has a constexpr `info`, in `passes` the code of the first passes that it names, and "
+                                  "reads of pass_... only what these write (formulations/scheme.hpp)");
+  return {.info = &Scheme::info,
+          .in_1d = [] { return std::unique_ptr<RateOperator<1>>(std::make_unique<SchemeOperator<Scheme, 1>>()); },
+          .in_2d = [] { return std::unique_ptr<RateOperator<2>>(std::make_unique<SchemeOperator<Scheme, 2>>()); },
+          .in_3d = [] { return std::unique_ptr<RateOperator<3>>(std::make_unique<SchemeOperator<Scheme, 3>>()); }};
+}
+
+}  // namespace sphverify

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+
+#include "formulations/density/continuity.hpp"
+#include "formulations/momentum/p_rho2.hpp"
+#include "formulations/momentum/sqrt_p.hpp"
+#include "formulations/sweep/fused.hpp"
+#include "formulations/work/internal_energy.hpp"
+#include "formulations/work/sqrt_p.hpp"
+
+// The loops over pairs that a kernel has. Included by the files that are compiled once per instruction set, and by nothing
+// else.
+namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
+
+/// What a moving gas sweeps together: pressure and its usual work, with and without viscosity and continuity.
+template <int Dim, class Kernel, class Momentum, class Work>
+constexpr std::array<FusedSweep, 4> fused_gas() {
+  using A = RateTerm<Momentum, Dim>;
+  using E = RateTerm<Work, Dim>;
+  using D = RateTerm<ContinuityDensity, Dim>;
+  using V = ViscosityTerm<Dim, Kernel>;
+  return {fused<Dim, Kernel, A, E>(), fused<Dim, Kernel, A, E, D>(), fused<Dim, Kernel, A, E, V>(),
+          fused<Dim, Kernel, A, E, D, V>()};
+}
+
+template <int Dim, class Kernel, class... Schemes>
+constexpr auto all_fused(std::tuple<Schemes...> const*) {
+  return joined(fused_passes<Dim, Kernel, Schemes>()...,
+                std::array{fused<Dim, Kernel, DensityTerm<Dim, Kernel>>(), fused<Dim, Kernel, ApproachTerm<Dim, Kernel>>()},
+                fused_gas<Dim, Kernel, PressureOverDensitySquared, InternalEnergyWork>(),
+                fused_gas<Dim, Kernel, SquareRootOfPressure, SquareRootOfPressureWork>());
+}
+
+template <int Dim, class Kernel, class Schemes>
+std::span<FusedSweep const> fused_if_wanted() {
+#if SPHVERIFY_WITH_FUSED_LOOPS
+  static constexpr auto all = all_fused<Dim, Kernel>(static_cast<Schemes const*>(nullptr));
+  return all;
+#else
+  return {};
+#endif
+}
+
+#define SPHVERIFY_TEXT_OF(name) #name
+#define SPHVERIFY_NAME_OF(name) SPHVERIFY_TEXT_OF(name)
+
+/// All loops of a kernel; other files know of them by this name alone.
+/// @tparam Schemes tuple of those that get a loop of their own with this kernel
+template <template <int> class Kernel, int Dim, class Schemes>
+SweepKernels const& loops() {
+  using K = Kernel<Dim>;
+  static SweepKernels const all{.instruction_set = SPHVERIFY_NAME_OF(SPHVERIFY_INSTRUCTION_SET),
+                                .rows = rows<Dim, K>,
+                                .fused = fused_if_wanted<Dim, K, Schemes>(),
+                                .density = sum_row<DensityTerm<Dim, K>, Dim>,
+                                .viscosity = sum_row<ViscosityTerm<Dim, K>, Dim>,
+                                .approach = sum_row<ApproachTerm<Dim, K>, Dim>,
+                                .conductances = conductances<Dim, K>,
+                                .conduct = conduct};
+  return all;
+}
+
+}  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

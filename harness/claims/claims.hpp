@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "formulations/scheme.hpp"
+
+namespace sphverify {
+
+/// How a scheme kept one of its claims.
+struct ClaimResult {
+  std::string claim;      ///< in words, as "conserves energy between particles"
+  bool claimed = true;    ///< false: looked at all the same, since a reader wants to know
+  double found = 0.0;     ///< the defect, relative to what it is made of; the largest over dimensions and kernels
+  double allowed = 0.0;   ///< what rounding explains
+  std::string where;      ///< of the largest: dimension and kernel
+  std::string remark{};   ///< why it was not looked at; empty if it was
+
+  bool holds() const { return remark.empty() && found <= allowed; }
+  bool fails() const { return remark.empty() && claimed && !holds(); }
+};
+
+/// Holds a scheme to what it claims (SchemeInfo::conserves, SchemeInfo::claims) and to what every scheme must do: in one to
+/// three dimensions, with every kernel, on random particles between walls and on lattices. A scheme that refuses a kernel
+/// (std::invalid_argument) is held to the others.
+std::vector<ClaimResult> check_claims(SchemeInfo const& scheme);
+
+}  // namespace sphverify

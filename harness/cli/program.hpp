@@ -1,0 +1,57 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "cases/support/case.hpp"
+#include "formulations/kernels/kernel_of.hpp"
+#include "formulations/scheme_operator.hpp"
+#include "formulations/sweep/dispatch.hpp"
+#include "harness/study/context.hpp"
+
+namespace sphverify {
+
+struct Program {
+  std::string_view name = "sphverify";
+  void (*add_parts)() = nullptr;  ///< calls add_scheme, add_kernel and add_case for what is not ours
+};
+
+/// All commands; what a program's `main` returns.
+int program_main(int argc, char** argv, Program const& program);
+
+// What a program has beside our parts. Each is listed, described, studied, evaluated and compared like ours; results name
+// it among `context.added`. sphverify_add_program of CMake writes the calls.
+
+/// @tparam Scheme what formulations/scheme.hpp describes; a file that CMake made has its loops over pairs
+template <class Scheme>
+void add_scheme() {
+  add_scheme(scheme_part<Scheme>());
+  auto const add_loops = []<int Dim>() {
+    auto& all = added_fused_loops<Dim>();
+    for (FusedWithKernel const& one : fused_loops_of_scheme<Scheme, Dim>()) all.push_back(one);
+  };
+  add_loops.template operator()<1>();
+  add_loops.template operator()<2>();
+  add_loops.template operator()<3>();
+  note_added_part(Scheme::info.id);
+}
+
+/// @tparam Kernel what formulations/kernels/scaled.hpp describes
+/// @tparam Schemes tuple of those for which loops with this kernel were made
+template <template <int> class Kernel, class Schemes>
+void add_kernel() {
+  add_kernel(kernel_part<Kernel>());
+  add_kernel_loops(loops_of_kernel<Kernel, Schemes>());
+  note_added_part(Kernel<1>::id);
+}
+
+/// @tparam Definition what cases/support/case.hpp describes
+template <class Definition>
+void add_case() {
+  Case const one = case_part<Definition>();
+  add_case(one);
+  note_added_part(one.info.id);
+}
+
+}  // namespace sphverify

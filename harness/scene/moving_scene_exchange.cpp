@@ -1,0 +1,160 @@
+#include "harness/scene/moving_scene.hpp"
+
+#include <cmath>
+#include <numeric>
+
+#include "harness/scene/wall_geometry.hpp"
+
+// What the gas holds, and what crosses its walls.
+
+namespace sphverify {
+
+template <int Dim>
+std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
+  std::vector<WallExchange<Dim>> all(walls_.size());
+  for (std::size_t w = 0; w < geometry().contacts.size(); ++w) {
+    WallContacts<Dim> const& contacts = geometry().contacts[w];
+    WallExchange<Dim>& exchange = all[w];
+    exchange.force = momentum_operator_->wall_force()[w];
+    exchange.power = work_operator_->wall_power()[w];
+    if (!evolves_total_energy()) {
+      for (std::size_t k = 0; k < contacts.size(); ++k) {
+        std::uint32_t const i = contacts.particle[k];
+        exchange.power +=
+            particles_.masses()[i] * momentum_operator_->wall_acceleration()[w][k].dot(drift_[i]);
+      }
+    }
+    if (viscosity_.is_on()) {
+      exchange.force += viscous_.wall_force[w];
+      exchange.power += viscous_.wall_power[w];
+    }
+    double const whole = wall_area(problem_.domain, walls_[w]);
+    double const pressure = face_mean(contacts, [&](std::size_t c) { return contacts.pressure[c]; });
+    double const work = face_mean(contacts, [&](std::size_t c) {
+      return contacts.pressure[c] * contacts.velocity[c].dot(contacts.outward_normal);
+    });
+    exchange.prescribed_force = -pressure * whole * contacts.outward_normal;
+    exchange.prescribed_power = -work * whole;
+    if (!conduction_operator_) continue;
+    exchange.heat = conduction_wall_power_[w];
+    exchange.power += exchange.heat;
+    // A flux that neither the wall nor the closure knows is taken as it is in the scheme.
+    if (walls_[w].flux || contacts.flux.size() == contacts.size()) {
+      exchange.prescribed_power -= whole * face_mean(contacts, [&](std::size_t c) {
+                                     Vector<Dim> const flux = walls_[w].flux
+                                                                  ? walls_[w].flux(contacts.foot[c], time_)
+                                                                  : contacts.flux[c];
+                                     return flux.dot(contacts.outward_normal);
+                                   });
+    } else {
+      exchange.prescribed_power += exchange.heat;
+    }
+  }
+  return all;
+}
+
+template <int Dim>
+Vector<Dim> MovingScene<Dim>::source_force() const {
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  if (!problem_.body_force) return sum;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    sum += particles_.masses()[i] * problem_.body_force(particles_.positions()[i], time_);
+  }
+  return sum;
+}
+
+template <int Dim>
+double MovingScene<Dim>::source_power() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    Vector<Dim> const x = particles_.positions()[i];
+    double power = problem_.source ? problem_.source(x, time_) : 0.0;
+    if (problem_.body_force)
+      power += problem_.body_force(x, time_).dot(particles_.vector(Field::velocity)[i]);
+    sum += particles_.masses()[i] * power;
+  }
+  return sum;
+}
+
+template <int Dim>
+Vector<Dim> MovingScene<Dim>::force() const {
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  for (std::size_t i = 0; i < particles_.size(); ++i) sum += particles_.masses()[i] * acceleration_[i];
+  return sum;
+}
+
+template <int Dim>
+double MovingScene<Dim>::power() const {
+  double sum = 0.0;
+  auto const& pressure = particles_.vector(Field::acceleration);
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    double rate = energy_rate_[i];
+    if (!evolves_total_energy()) {
+      Vector<Dim> const rest = acceleration_[i] - pressure[i];
+      rate += pressure[i].dot(drift_[i]) + rest.dot(particles_.vector(Field::velocity)[i]);
+    }
+    sum += particles_.masses()[i] * rate;
+  }
+  return sum;
+}
+
+template <int Dim>
+Vector<Dim> MovingScene<Dim>::momentum() const {
+  Vector<Dim> sum = Vector<Dim>::Zero();
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    sum += particles_.masses()[i] * particles_.vector(Field::velocity)[i];
+  }
+  return sum;
+}
+
+template <int Dim>
+double MovingScene<Dim>::energy() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    sum += particles_.masses()[i] * (particles_.scalar(Field::internal_energy)[i] +
+                                     0.5 * particles_.vector(Field::velocity)[i].squaredNorm());
+  }
+  return sum;
+}
+
+template <int Dim>
+std::optional<double> MovingScene<Dim>::volume_defect() const {
+  double volume = 1.0;
+  for (int k = 0; k < Dim; ++k) {
+    Vector<Dim> const axis = problem_.domain.axes.col(k);
+    double length = 0.0;
+    int sides = 0;
+    for (Wall<Dim> const& wall : walls_) {
+      double const facing = wall.outward_normal.dot(axis);
+      if (std::abs(facing) < 0.5) continue;
+      length += wall.point.dot(axis) * (facing > 0.0 ? 1.0 : -1.0);
+      ++sides;
+    }
+    if (problem_.domain.periodic[static_cast<std::size_t>(k)]) {
+      length = problem_.domain.extent()[k];
+    } else if (sides != 2) {
+      return std::nullopt;
+    }
+    volume *= length;
+  }
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    volume -= particles_.masses()[i] / particles_.scalar(Field::density)[i];
+  }
+  return volume;
+}
+
+#define SPHVERIFY_INSTANTIATE(D)                                                \
+  template std::vector<WallExchange<D>> MovingScene<D>::wall_exchange() const;  \
+  template Vector<D> MovingScene<D>::source_force() const;                      \
+  template double MovingScene<D>::source_power() const;                         \
+  template Vector<D> MovingScene<D>::force() const;                             \
+  template double MovingScene<D>::power() const;                                \
+  template Vector<D> MovingScene<D>::momentum() const;                          \
+  template double MovingScene<D>::energy() const;                               \
+  template std::optional<double> MovingScene<D>::volume_defect() const;
+SPHVERIFY_INSTANTIATE(1)
+SPHVERIFY_INSTANTIATE(2)
+SPHVERIFY_INSTANTIATE(3)
+#undef SPHVERIFY_INSTANTIATE
+
+}  // namespace sphverify

@@ -1,0 +1,135 @@
+#include "harness/scene/moving_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "formulations/sweep/approach.hpp"
+
+// How long a step may be, and what must not happen within one.
+
+namespace sphverify {
+
+namespace {
+
+/// Part of the time in which sound, or what else limits a step, crosses a smoothing length (Monaghan, Annu.
+/// Rev. Astron. Astrophys. 30 (1992) 543, section 10).
+constexpr double courant_number = 0.3;
+
+}  // namespace
+
+template <int Dim>
+std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  SmoothingLength const h(particles_);
+  auto const& c = particles_.scalar(Field::sound_speed);
+  auto const& v = particles_.vector(Field::velocity);
+  std::vector<double> rates_of_approach(particles_.size());
+  PairSweep<Dim> sweep(geometry().neighbours, geometry().domain, threads_);
+  sweep.add(sweep_kernels<Dim>(particles_.kernel().id()).approach, {Field::velocity}, {}, rates_of_approach);
+  sweep.run(particles_);
+  double courant = infinity, force = infinity, viscosity = infinity, conduction = infinity, approach = 0.0;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    courant = std::min(courant, h(i) / c[i]);
+    force = std::min(force, std::sqrt(h(i) / acceleration_[i].norm()));
+    if (viscosity_.is_on()) {
+      double const mu = viscous_.largest_mu[i];
+      viscosity = std::min(viscosity, h(i) / (c[i] + 0.6 * (viscosity_.alpha * c[i] + viscosity_.beta * mu)));
+    }
+    if (conduction_operator_) {
+      double const K = particles_.scalar(Field::conductivity)[i];
+      conduction = std::min(conduction, 0.5 * h(i) * h(i) * particles_.scalar(Field::density)[i] / K);
+    }
+    approach = std::max(approach, rates_of_approach[i]);
+  }
+  for (auto const& contacts : geometry().contacts) {
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      std::uint32_t const i = contacts.particle[k];
+      double const closing = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal);
+      approach = std::max(approach, closing / contacts.distance[k]);
+      if (!conduction_operator_) continue;
+      double const K = particles_.scalar(Field::conductivity)[i];
+      conduction = std::min(conduction, contacts.distance[k] * particles_.scalar(Field::density)[i] /
+                                            (4.0 * K * contacts.face_weight[k]));
+    }
+  }
+  std::vector<StepLimit> limits{{"courant", courant}, {"force", force}, {"approach", 1.0 / approach}};
+  if (viscosity_.is_on()) limits.push_back({"viscosity", viscosity});
+  if (conduction_operator_) limits.push_back({"conduction", conduction});
+  for (StepLimit& limit : limits) limit.step *= courant_number;
+  return limits;
+}
+
+template <int Dim>
+std::string MovingScene<Dim>::closest_approach() const {
+  SmoothingLength const h(particles_);
+  auto const& v = particles_.vector(Field::velocity);
+  auto const& x = particles_.positions();
+  double fastest = 0.0;
+  std::string who;
+  for (std::size_t i = 0; i < particles_.size(); ++i) {
+    for (std::uint32_t const j : geometry().neighbours.row(i)) {
+      Vector<Dim> const r_ij = problem_.domain.nearest_image(x[i] - x[j]);
+      if (r_ij.norm() >= h.support(i, j)) continue;
+      double const rate = rate_of_approach<Dim>(-(v[i] - v[j]).dot(r_ij), r_ij.squaredNorm(), h(i, j));
+      if (rate <= fastest) continue;
+      fastest = rate;
+      who = fmt::format("particles {} and {}, {:.3g} apart", i, j, r_ij.norm());
+    }
+  }
+  for (std::size_t w = 0; w < geometry().contacts.size(); ++w) {
+    auto const& contacts = geometry().contacts[w];
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
+      std::uint32_t const i = contacts.particle[k];
+      double const rate = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal) / contacts.distance[k];
+      if (rate <= fastest) continue;
+      fastest = rate;
+      who = fmt::format("particle {} and wall {}, {:.3g} apart", i, w, contacts.distance[k]);
+    }
+  }
+  return who;
+}
+
+template <int Dim>
+void MovingScene<Dim>::require_order(double time) const {
+  auto const& x = particles_.positions();
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    if (!x[i].allFinite()) {
+      throw BrokenRun("non-finite",
+                      fmt::format("position of particle {} is not finite at t = {:.6g}", i, time));
+    }
+  }
+  if constexpr (Dim == 1) {
+    bool const periodic = problem_.domain.periodic[0];
+    double const period = problem_.domain.extent()[0];
+    for (std::size_t k = 0; k + 1 < order_.size() + (periodic && order_.size() > 1 ? 1 : 0); ++k) {
+      std::size_t const i = order_[k];
+      std::size_t const j = order_[(k + 1) % order_.size()];
+      double gap = x[j][0] - x[i][0];
+      // Neighbours along a periodic axis are less than half of it apart.
+      if (periodic) gap -= period * std::round(gap / period);
+      if (gap > 0.0) continue;
+      throw BrokenRun("unstable", fmt::format("particles {} and {} crossed at t = {:.6g}", i, j, time));
+    }
+  }
+  if (!with_walls_) return;
+  for (std::size_t w = 0; w < walls_.size(); ++w) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      if (walls_[w].distance(x[i]) > 0.0) continue;
+      throw BrokenRun("unstable", fmt::format("particle {} overtook wall {} at t = {:.6g}", i, w, time));
+    }
+  }
+}
+
+#define SPHVERIFY_INSTANTIATE(D)                                        \
+  template std::vector<StepLimit> MovingScene<D>::step_limits() const;  \
+  template std::string MovingScene<D>::closest_approach() const;        \
+  template void MovingScene<D>::require_order(double time) const;
+SPHVERIFY_INSTANTIATE(1)
+SPHVERIFY_INSTANTIATE(2)
+SPHVERIFY_INSTANTIATE(3)
+#undef SPHVERIFY_INSTANTIATE
+
+}  // namespace sphverify

@@ -12,14 +12,15 @@
 
 namespace sphverify {
 
-void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::string_view quantity,
-                          std::vector<double> const& values) {
+void require_non_negative(SchemeInfo const& scheme, std::string_view quantity, std::vector<double> const& values,
+                          std::optional<std::size_t> wall) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] >= 0.0 || std::isnan(values[i])) continue;
     std::array<char, 32> readable{};
     std::snprintf(readable.data(), readable.size(), "%.3g", values[i]);
     throw UndefinedRate(std::string(scheme.id) + " is undefined for negative " + std::string(quantity) + ": " +
-                        std::string(where) + " " + std::to_string(i) + " has " + readable.data());
+                        (wall ? "wall " + std::to_string(*wall) : "particle " + std::to_string(i)) + " has " +
+                        readable.data());
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -13,9 +14,9 @@
 
 namespace sphverify {
 
-/// Throws UndefinedRate, which names the first of the values that is negative.
-void require_non_negative(SchemeInfo const& scheme, std::string_view where, std::string_view quantity,
-                          std::vector<double> const& values);
+/// Throws UndefinedRate, which names the first of the values that is negative, "particle 7", or whose they are, "wall 1".
+void require_non_negative(SchemeInfo const& scheme, std::string_view quantity, std::vector<double> const& values,
+                          std::optional<std::size_t> wall = std::nullopt);
 
 /// A scheme as its header has it, behind the common face: its passes one after the other, each over pairs and walls. Its loops
 /// over pairs are compiled elsewhere.
@@ -175,9 +176,9 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   static void check(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry) {
     if constexpr (Scheme::info.non_negative.contains(Field::pressure)) {
-      require_non_negative(Scheme::info, "particle", "pressure", particles.scalar(Field::pressure));
-      for (WallContacts<Dim> const& contacts : geometry.contacts) {
-        require_non_negative(Scheme::info, "wall", "pressure", contacts.pressure);
+      require_non_negative(Scheme::info, "pressure", particles.scalar(Field::pressure));
+      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+        require_non_negative(Scheme::info, "pressure", geometry.contacts[w].pressure, w);
       }
     }
   }

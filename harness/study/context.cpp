@@ -3,6 +3,7 @@
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fstream>
 #include <thread>
@@ -34,7 +35,10 @@ Identity& identity() {
 
 std::string const& program_name() { return identity().program; }
 void set_program_name(std::string_view name) { identity().program = name; }
-void note_added_part(std::string_view id) { identity().added.emplace_back(id); }
+void note_added_part(std::string_view id) {
+  auto& added = identity().added;
+  if (std::find(added.begin(), added.end(), id) == added.end()) added.emplace_back(id);
+}
 
 Context current_context() {
   return {.version = build::version,

@@ -138,6 +138,7 @@ class SameRates(PluginTest):
             self.assertAlmostEqual(run["conservation"]["energy"]["exchanged"], same["conservation"]["energy"]["exchanged"], 8)
             for found, expected in zip(run["wall_flux"], same["wall_flux"]):
                 self.assertAlmostEqual(found["measured"], expected["measured"], 8)
+        self.assertEqual(results["context"]["added"], ["plugin/brookshaw-in-fortran"])
         # The document names the library, so that it can be repeated.
         path = self.write("results.json", results)
         again = strict_json(self.succeed("repeat", path, "3"))

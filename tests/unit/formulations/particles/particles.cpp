@@ -30,7 +30,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(each_field_costs_its_own_memory_only, D, Dimension
     std::size_t const before = particles.bytes();
     bool const existed = particles.has(field.field);
     particles.allocate(field.field);
-    std::size_t const cost = existed ? 0 : (field.is_vector ? Dim : 1) * 100 * sizeof(double);
+    std::size_t const cost = existed ? 0 : static_cast<std::size_t>(field.components(Dim)) * 100 * sizeof(double);
     BOOST_TEST(particles.bytes() == before + cost, field.name);
     for (FieldInfo const& other : field_infos) {
       bool const expected =

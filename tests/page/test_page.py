@@ -7,34 +7,18 @@ import math
 import pathlib
 import re
 import sys
-import tempfile
 import time
 import unittest
 import xml.etree.ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "cli"))
 import program  # noqa: E402
+from browser import BrowserTest  # noqa: E402
+from selenium import webdriver  # noqa: E402
+from selenium.webdriver.common.by import By  # noqa: E402
+from selenium.webdriver.common.keys import Keys  # noqa: E402
+from test_tables import TablesTest  # noqa: E402, F401  runs with the rest
 
-try:
-    from selenium import webdriver
-    from selenium.webdriver.chrome.service import Service
-    from selenium.webdriver.common.by import By
-    from selenium.webdriver.common.keys import Keys
-    from selenium.webdriver.support.ui import Select, WebDriverWait
-except ImportError as missing:
-    raise unittest.SkipTest(f"needs python3-selenium: {missing}")
-
-CHROMIUM, DRIVER = pathlib.Path("/usr/bin/chromium"), pathlib.Path("/usr/bin/chromedriver")
-FLAGS = [
-    "--headless=new",
-    "--no-sandbox",
-    "--disable-gpu",
-    "--no-first-run",
-    "--disable-background-networking",
-    "--disable-component-update",
-    "--disable-sync",
-    "--window-size=1300,1000",
-]
 UNITS = {"s": 1.0, "ms": 1e-3, "µs": 1e-6}
 MOST_BYTES = 3_000_000
 HOSTILE = '</script><script>document.title = "caught"</script><!-- <img src=x onerror=alert(1)> {{data}} & "'
@@ -293,16 +277,11 @@ def seconds_text(value):
     return f"{float(format(value * scale, '.3g')):g} {unit}"
 
 
-class PageTest(program.ProgramTest):
+class PageTest(BrowserTest):
     @classmethod
     def setUpClass(cls):
-        if not CHROMIUM.exists() or not DRIVER.exists():
-            raise unittest.SkipTest("needs chromium and chromium-driver")
-        maker = program.ProgramTest()
-        folder = tempfile.TemporaryDirectory(prefix="sphverify-page-")
-        cls.addClassCleanup(folder.cleanup)
-        cls.place = maker.folder = pathlib.Path(folder.name)
-        cls.addClassCleanup(maker.doCleanups)
+        super().setUpClass()
+        maker = cls.maker
         cls.heat = maker.study(HEAT, "heat.json")
         cls.gas = maker.study(GAS, "gas.json")
         odd = program.mutated(cls.heat, ("study", "name"), HOSTILE)
@@ -413,41 +392,12 @@ class PageTest(program.ProgramTest):
             maker.succeed("report", cls.place / f"{name}.json", "-o", cls.place / f"{name}.html")
         both = [cls.place / "heat.json", cls.place / "gas.json"]
         maker.succeed("report", *both, "-o", cls.place / "both.html")
-
-        options = webdriver.ChromeOptions()
-        options.binary_location = str(CHROMIUM)
-        for flag in [*FLAGS, f"--user-data-dir={cls.place / 'profile'}"]:
-            options.add_argument(flag)
-        options.add_experimental_option("prefs", {"download.default_directory": str(cls.place / "saved")})
-        options.set_capability("goog:loggingPrefs", {"browser": "ALL", "performance": "ALL"})
-        cls.driver = webdriver.Chrome(options=options, service=Service(str(DRIVER)))
-        cls.addClassCleanup(cls.driver.quit)
+        cls.start_browser()
 
     def setUp(self):
         super().setUp()
         self.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "", "features": []})
-
-    def open(self, name):
-        for kind in ["browser", "performance"]:
-            self.driver.get_log(kind)
-        self.driver.get((self.place / name).as_uri())
-        # On a busy machine `get` may return before the page's script has run.
-        drawn = "return document.documentElement.dataset.drawn"
-        WebDriverWait(self.driver, 60).until(lambda _: self.script(drawn) == "true", "the page is not drawn")
-
-    def script(self, text, *arguments):
-        return self.driver.execute_script(text, *arguments)
-
-    def all(self, selector):
-        return self.driver.find_elements(By.CSS_SELECTOR, selector)
-
-    def one(self, selector):
-        return self.driver.find_element(By.CSS_SELECTOR, selector)
-
-    def choose(self, label, value):
-        control = self.driver.find_element(By.XPATH, f"//label[span='{label}']/select")
-        Select(control).select_by_visible_text(value)
 
     def count(self, section, marks):
         """Marks of a section's plots, by a selector within them."""
@@ -460,10 +410,6 @@ class PageTest(program.ProgramTest):
         k = heads.index(column) + 1
         cells = self.all(f"{rows} tbody tr:not(.group) > :nth-child({k})")
         return [cell.get_attribute("textContent") for cell in cells]
-
-    def assert_silent(self):
-        severe = [line for line in self.driver.get_log("browser") if line["level"] != "INFO"]
-        self.assertEqual(severe, [])
 
     def test_asks_no_network_and_says_nothing_on_the_console(self):
         for name in ["heat.html", "both.html", "odd.html", "stable.html", "resting.html", "timed.html"]:

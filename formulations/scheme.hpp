@@ -83,6 +83,8 @@ struct Claims {
   bool steady_on_any_particles = false;  ///< a uniform state has rate zero wherever the particles are
   bool galilean_invariant = true;        ///< a common velocity changes no rate
   bool continuous_at_support = true;     ///< what a neighbour adds tends to zero as it leaves the support
+  bool energy_with_partner = false;  ///< a momentum form and its `work_partner` conserve energy together, to round-off
+  bool linear_on_lattice = true;         ///< the first of these is claimed at all
   ConductivityMean mean = ConductivityMean::unknown;  ///< of a form of heat conduction that has one
 };
 

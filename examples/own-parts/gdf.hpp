@@ -19,7 +19,8 @@ struct GeometricDensityAverage {
       .kernel = {sphverify::KernelWeight::gradient},
       .boundary = {sphverify::BoundaryValue::pressure},
       .conserves = {sphverify::Invariant::momentum},
-      .work_partner = "work/gdf"};
+      .work_partner = "work/gdf",
+      .claims = {.energy_with_partner = true}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return (-j.m() * (i.P() + j.P()) / (i.rho() * j.rho()) * W.gradient()).eval();

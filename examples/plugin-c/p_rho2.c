@@ -21,7 +21,7 @@ void sphverify_plugin_describe(sphverify_description* d) {
   d->rate = SPHVERIFY_ACCELERATION;
   d->reads = SPHVERIFY_DENSITY + SPHVERIFY_PRESSURE;
   d->reads_at_walls = SPHVERIFY_PRESSURE;
-  d->conserves = SPHVERIFY_CONSERVES_MOMENTUM;
+  d->conserves = SPHVERIFY_CONSERVES_MOMENTUM + SPHVERIFY_CONSERVES_ENERGY;
   d->wants_neighbours = 1;
   d->thread_safe = 1;
 }

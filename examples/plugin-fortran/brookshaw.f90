@@ -66,8 +66,11 @@ function sphverify_plugin_rates(s, rates) bind(C) result(status)
   integer :: n, i, j, axis, w, c, dims
 
   status = 1
-  ! This code has one kernel, and one smoothing length for all particles.
+  ! This code has one kernel, one smoothing length for all particles, and boxes along the axes of space.
   if (c_associated(s%smoothing_lengths) .or. text_of(s%kernel) /= "cubic-spline") return
+  do axis = 1, s%dimension
+    if (s%axes((axis - 1)*s%dimension + axis) /= 1) return
+  end do
   n = int(s%count)
   dims = s%dimension
   allocate (places(dims, n))
@@ -86,7 +89,7 @@ function sphverify_plugin_rates(s, rates) bind(C) result(status)
       if (i == j) cycle
       r_ij = 0
       r_ij(1:dims) = places(:, i) - places(:, j)
-      do axis = 1, dims  ! for a box along the axes of space
+      do axis = 1, dims
         if (s%periodic(axis) == 0) cycle
         r_ij(axis) = r_ij(axis) - (s%upper(axis) - s%lower(axis))*anint(r_ij(axis)/(s%upper(axis) - s%lower(axis)))
       end do

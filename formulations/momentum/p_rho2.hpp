@@ -26,7 +26,8 @@ struct PressureOverDensitySquared {
       .kernel = {KernelWeight::gradient},
       .boundary = {BoundaryValue::pressure},
       .conserves = {Invariant::momentum},
-      .work_partner = "work/internal-energy"};
+      .work_partner = "work/internal-energy",
+      .claims = {.energy_with_partner = true}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return (-j.m() * (j.P() / square(j.rho()) + i.P() / square(i.rho())) * W.gradient()).eval();

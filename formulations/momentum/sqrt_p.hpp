@@ -25,7 +25,8 @@ struct SquareRootOfPressure {
       .boundary = {BoundaryValue::pressure},
       .conserves = {Invariant::momentum},
       .non_negative = {Field::pressure},
-      .work_partner = "work/sqrt-p"};
+      .work_partner = "work/sqrt-p",
+      .claims = {.energy_with_partner = true}};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     using std::sqrt;

@@ -42,7 +42,7 @@ void say(char const* text) { [[maybe_unused]] auto const written = write(STDERR_
   say(library_inside);
   say(") ");
   say(how);
-  say(" while it computed rates; finished runs are in the journal, if there is one\n");
+  say("; runs that were finished are in the journal, if there is one\n");
   _exit(program_failed);
 }
 
@@ -64,10 +64,6 @@ void on_exit() {
 
 void install_once() {
   [[maybe_unused]] static bool const installed = [] {
-    // A stack of its own: the ordinary one may be what ran out.
-    static std::array<char, 65536> stack;
-    stack_t const alternative{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
-    sigaltstack(&alternative, nullptr);
     struct sigaction action {};
     action.sa_handler = on_signal;
     action.sa_flags = SA_ONSTACK;
@@ -81,6 +77,13 @@ void install_once() {
 
 CrashGuard::CrashGuard(char const* plugin, char const* library) {
   install_once();
+  // A stack of its own for the handler, in every thread: the ordinary one may be what ran out.
+  thread_local std::array<char, 65536> stack;
+  thread_local bool const is_set = [] {
+    stack_t const alternative{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+    return sigaltstack(&alternative, nullptr) == 0;
+  }();
+  static_cast<void>(is_set);
   plugin_inside = plugin;
   library_inside = library;
 }

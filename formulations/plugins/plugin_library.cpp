@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cfenv>
 #include <cstring>
 #include <filesystem>
 #include <list>
@@ -70,6 +71,8 @@ auto set_of(int bits, Pairs const& pairs, char const* what) {
   return set;
 }
 
+constexpr std::array invariants{std::pair{SPHVERIFY_CONSERVES_MOMENTUM, Invariant::momentum},
+                                std::pair{SPHVERIFY_CONSERVES_ENERGY, Invariant::energy}};
 constexpr std::array known_rates{Rate::acceleration, Rate::internal_work, Rate::total_work, Rate::conduction_heating};
 
 }  // namespace
@@ -122,10 +125,16 @@ void PluginLibrary::describe() {
   info_.rate = known_rates[static_cast<std::size_t>(d.rate)];
   info_.reads = set_of(d.reads, of_particles, "reads");
   info_.kernel = {KernelWeight::gradient};
-  info_.boundary = set_of(d.reads_at_walls & ~SPHVERIFY_FLUX, at_walls, "reads_at_walls");
+  info_.boundary = set_of(d.reads_at_walls & ~(SPHVERIFY_FLUX | SPHVERIFY_DENSITY), at_walls, "reads_at_walls");
   if (d.reads_at_walls & SPHVERIFY_FLUX) info_.boundary_if_prescribed.insert(BoundaryValue::flux);
-  if (d.conserves & SPHVERIFY_CONSERVES_MOMENTUM) info_.conserves.insert(Invariant::momentum);
-  if (d.conserves & SPHVERIFY_CONSERVES_ENERGY) info_.conserves.insert(Invariant::energy);
+  InvariantSet const conserves = set_of(d.conserves, invariants, "conserves");
+  bool const is_momentum = info_.rate == Rate::acceleration;
+  info_.claims.energy_with_partner = is_momentum && conserves.contains(Invariant::energy);
+  if (conserves.contains(is_momentum ? Invariant::momentum : Invariant::energy))
+    info_.conserves.insert(is_momentum ? Invariant::momentum : Invariant::energy);
+  info_.claims.galilean_invariant = info_.rate != Rate::total_work;
+  // What divides by sums of its own may be exact, and has no limit where a single neighbour is left.
+  info_.claims.linear_on_lattice = info_.claims.continuous_at_support = d.passes <= 1;
   info_.work_partner = d.work_partner;
   info_.supports_seen = std::max(1, static_cast<int>(d.passes));
 }
@@ -136,7 +145,11 @@ void PluginLibrary::rates(sphverify_state const& state, sphverify_rates& rates) 
   int status = 0;
   {
     CrashGuard const guard(id_.c_str(), path_.c_str());
+    // A rounding mode that it leaves behind would be everybody's.
+    std::fenv_t ours;
+    std::fegetenv(&ours);
     status = rates_(&state, &rates);
+    std::fesetenv(&ours);
   }
   if (status != 0) throw std::invalid_argument(id_ + " (" + path_ + ") says that it failed: status " + std::to_string(status));
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -71,6 +73,7 @@ class PluginOperator final : public RateOperator<Dim> {
     power_.assign(is_vector() ? 0 : geometry.contacts.size(), 0.0);
     for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
       work.wall_interactions += geometry.contacts[w].size();
+      require_contacts_only(geometry.contacts[w], w);
       for (int k = 0; k < components(); ++k) {
         std::vector<double> const& term = of_wall_[w][static_cast<std::size_t>(k)];
         double sum = 0.0;
@@ -125,8 +128,12 @@ class PluginOperator final : public RateOperator<Dim> {
     for (Terms& wall : of_wall_) clear(wall);
   }
 
-  static std::vector<sphverify_wall> walls_of(PairGeometry<Dim> const& geometry) {
+  std::vector<sphverify_wall> walls_of(PairGeometry<Dim> const& geometry) const {
     std::vector<sphverify_wall> walls;
+    // Another form may have asked for more.
+    auto const asked = [&](BoundaryValue value, std::vector<double> const& values) {
+      return info().boundary.contains(value) ? data_of(values) : nullptr;
+    };
     for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
       WallContacts<Dim> const& contacts = geometry.contacts[w];
       sphverify_wall& wall = walls.emplace_back();
@@ -138,11 +145,11 @@ class PluginOperator final : public RateOperator<Dim> {
       wall.distance = contacts.distance.data();
       wall.face_weight = contacts.face_weight.data();
       wall.foot_density = contacts.foot_density.data();
-      wall.pressure = data_of(contacts.pressure);
-      wall.temperature = data_of(contacts.temperature);
-      wall.conductivity = data_of(contacts.conductivity);
-      point_to(contacts.velocity, wall.velocity);
-      if (geometry.walls[w].prescribes(BoundaryValue::flux)) point_to(contacts.flux, wall.flux);
+      wall.pressure = asked(BoundaryValue::pressure, contacts.pressure);
+      wall.temperature = asked(BoundaryValue::temperature, contacts.temperature);
+      wall.conductivity = asked(BoundaryValue::conductivity, contacts.conductivity);
+      if (info().boundary.contains(BoundaryValue::velocity)) point_to(contacts.velocity, wall.velocity);
+      if (info().boundary_if_prescribed.contains(BoundaryValue::flux) && geometry.walls[w].prescribes(BoundaryValue::flux)) point_to(contacts.flux, wall.flux);
     }
     return walls;
   }
@@ -181,6 +188,22 @@ class PluginOperator final : public RateOperator<Dim> {
     state.walls = walls.size();
     state.wall = walls.data();
     return state;
+  }
+
+  /// What is said of others would be counted as given by a wall that they do not feel.
+  void require_contacts_only(WallContacts<Dim> const& contacts, std::size_t w) const {
+    for (int k = 0; k < components(); ++k) {
+      std::vector<double> const& term = of_wall_[w][static_cast<std::size_t>(k)];
+      std::size_t next = 0;
+      for (std::size_t i = 0; i < term.size(); ++i) {
+        bool const is_contact = next < contacts.size() && contacts.particle[next] == i;
+        next += is_contact ? 1 : 0;
+        if (!is_contact && term[i] != 0.0) {
+          throw std::invalid_argument(std::string(info().id) + " gives wall " + std::to_string(w) + " a part in particle " +
+                                      std::to_string(i) + ", which is no contact of it");
+        }
+      }
+    }
   }
 
   std::vector<Vector<Dim>> at_contacts(WallContacts<Dim> const& contacts, std::size_t w) const {

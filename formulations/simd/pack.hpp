@@ -107,6 +107,26 @@ struct Divisor {
   }
   SPHVERIFY_INLINE friend Pack operator+(Divisor a, Divisor b) { return a.value + b.value; }
   SPHVERIFY_INLINE friend Pack operator/(Pack a, Divisor b) { return a * b.inverse; }
+  SPHVERIFY_INLINE friend Pack operator/(Divisor a, Pack b) { return a.value / b; }
+  SPHVERIFY_INLINE friend Pack operator/(Divisor a, Divisor b) { return a.value * b.inverse; }
+  SPHVERIFY_INLINE friend Pack operator*(Pack a, Divisor b) { return a * b.value; }
+  SPHVERIFY_INLINE friend Pack operator*(Divisor a, Pack b) { return a.value * b; }
+  SPHVERIFY_INLINE friend Pack operator-(Divisor a) { return -a.value; }
+  SPHVERIFY_INLINE friend Pack operator-(Divisor a, Divisor b) { return a.value - b.value; }
+  SPHVERIFY_INLINE friend Pack operator+(Pack a, Divisor b) { return a + b.value; }
+  SPHVERIFY_INLINE friend Pack operator-(Pack a, Divisor b) { return a - b.value; }
+  SPHVERIFY_INLINE friend Pack operator+(Divisor a, Pack b) { return a.value + b; }
+  SPHVERIFY_INLINE friend Pack operator-(Divisor a, Pack b) { return a.value - b; }
+  SPHVERIFY_INLINE friend Pack::Mask operator<(Divisor a, Divisor b) { return a.value < b.value; }
+  SPHVERIFY_INLINE friend Pack::Mask operator<(Divisor a, Pack b) { return a.value < b; }
+  SPHVERIFY_INLINE friend Pack::Mask operator<(Pack a, Divisor b) { return a < b.value; }
+  SPHVERIFY_INLINE friend Pack min(Divisor a, Divisor b) { return min(a.value, b.value); }
+  SPHVERIFY_INLINE friend Pack max(Divisor a, Divisor b) { return max(a.value, b.value); }
+  SPHVERIFY_INLINE friend Pack sqrt(Divisor a) { return sqrt(a.value); }
+  SPHVERIFY_INLINE friend Pack exp(Divisor a) { return exp(a.value); }
+  SPHVERIFY_INLINE friend Pack log(Divisor a) { return log(a.value); }
+  SPHVERIFY_INLINE friend Pack cbrt(Divisor a) { return cbrt(a.value); }
+  SPHVERIFY_INLINE friend Pack pow(Divisor a, Pack b) { return pow(a.value, b); }
 };
 
 /// x^n
@@ -149,6 +169,9 @@ struct PackVector {
     return a;
   }
   SPHVERIFY_INLINE friend PackVector operator/(PackVector a, Divisor s) { return s.inverse * a; }
+  SPHVERIFY_INLINE friend PackVector operator/(PackVector a, Pack s) { return (Pack(1.0) / s) * a; }
+  SPHVERIFY_INLINE friend PackVector operator*(PackVector a, Pack s) { return s * a; }
+  SPHVERIFY_INLINE friend PackVector operator-(PackVector a) { return Pack(-1.0) * a; }
   SPHVERIFY_INLINE PackVector& operator+=(PackVector const& b) { return *this = *this + b; }
 };
 
@@ -160,7 +183,10 @@ struct RadialVector {
   PackVector<Dim> r;
 
   SPHVERIFY_INLINE PackVector<Dim> eval() const { return along * r; }
+  SPHVERIFY_INLINE operator PackVector<Dim>() const { return eval(); }
+  SPHVERIFY_INLINE Pack dot(PackVector<Dim> const& b) const { return b.dot(*this); }
   SPHVERIFY_INLINE friend RadialVector operator*(Pack s, RadialVector a) { return {s * a.along, a.r}; }
+  SPHVERIFY_INLINE friend RadialVector operator-(RadialVector a) { return {-a.along, a.r}; }
 };
 template <int Dim>
 SPHVERIFY_INLINE Pack PackVector<Dim>::dot(RadialVector<Dim> const& b) const {

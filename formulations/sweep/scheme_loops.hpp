@@ -21,7 +21,8 @@ void conductance_of_row(Row const& row, double* out) {
   View<Dim, reads, ReadOwn> const i(row.slots, ReadOwn{row.own});
   for (std::size_t k = 0; k < row.count; k += Pack::size) {
     View<Dim, reads, ReadColumns> const j(row.slots, ReadColumns{row.columns + k});
-    Scheme::conductance(i, j, KernelColumns<Dim>(row, k)).store(out + k);
+    KernelColumns<Dim> const W(row, k);
+    Scheme::conductance(i, j, DeclaredKernel<Scheme::info.kernel, KernelColumns<Dim>>(W)).store(out + k);
   }
 }
 

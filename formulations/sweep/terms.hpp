@@ -47,7 +47,10 @@ struct PassTerm {
   decltype(zero_of<output_of<Pass>(), Dim>()) sum = zero_of<output_of<Pass>(), Dim>();
 
   SPHVERIFY_INLINE explicit PassTerm(void const*) {}
-  SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) { sum += Pass::pair(i, j, W); }
+  template <class Kernel>
+  SPHVERIFY_INLINE void add(auto const& i, auto const& j, Kernel const& W) {
+    sum += Pass::pair(i, j, DeclaredKernel<Pass::info.kernel, Kernel>(W));
+  }
   SPHVERIFY_INLINE void write(double, double* out) const { add_to(sum, out); }
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "formulations/scheme.hpp"
 #include "formulations/simd/pack.hpp"
 #include "formulations/sweep/sweep.hpp"
 
@@ -159,6 +160,35 @@ struct KernelRegisters {
   SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
   SPHVERIFY_INLINE Pack h() const { return common_h; }
   SPHVERIFY_INLINE double own_h() const { return common_h; }
+};
+
+/// The kernel as a scheme may use it: what it does not declare (PassInfo::kernel) may not have been gathered, and does not
+/// compile.
+template <KernelWeightSet weights, class Kernel>
+class DeclaredKernel {
+ public:
+  SPHVERIFY_INLINE explicit DeclaredKernel(Kernel const& all) : all_(all) {}
+
+  SPHVERIFY_INLINE Pack distance() const { return all_.distance(); }
+  SPHVERIFY_INLINE Pack h() const { return all_.h(); }
+  SPHVERIFY_INLINE Pack radial() const
+    requires(!weights.empty())
+  {
+    return all_.radial();
+  }
+  SPHVERIFY_INLINE auto separation() const
+    requires(weights.contains(KernelWeight::gradient))
+  {
+    return all_.separation();
+  }
+  SPHVERIFY_INLINE auto gradient() const
+    requires(weights.contains(KernelWeight::gradient))
+  {
+    return all_.gradient();
+  }
+
+ private:
+  Kernel const& all_;
 };
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

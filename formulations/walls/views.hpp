@@ -11,6 +11,7 @@ namespace sphverify {
 template <int Dim>
 struct FieldPointers {
   double const *m = nullptr, *rho = nullptr, *P = nullptr, *T = nullptr, *K = nullptr;
+  double const* c = nullptr;
   double const *pass_number = nullptr, *pass_number_2 = nullptr;
   std::array<double const*, Dim> v{}, F{}, pass_vector{};
   TensorField<Dim> const* pass_tensor = nullptr;
@@ -22,6 +23,7 @@ struct FieldPointers {
     P = scalar(Field::pressure);
     T = scalar(Field::temperature);
     K = scalar(Field::conductivity);
+    c = scalar(Field::sound_speed);
     pass_number = scalar(Field::pass_number);
     pass_number_2 = scalar(Field::pass_number_2);
     if (particles.has(Field::pass_tensor)) pass_tensor = &particles.tensor(Field::pass_tensor);
@@ -64,6 +66,11 @@ class ParticleView {
     requires(reads.contains(Field::conductivity))
   {
     return f_->K[i_];
+  }
+  double c() const
+    requires(reads.contains(Field::sound_speed))
+  {
+    return f_->c[i_];
   }
   Vector<Dim> v() const
     requires(reads.contains(Field::velocity))

@@ -14,10 +14,12 @@ struct ClaimResult {
   double found = 0.0;     ///< the defect, relative to what it is made of; the largest over dimensions and kernels
   double allowed = 0.0;   ///< what rounding explains
   std::string where;      ///< of the largest: dimension and kernel
-  std::string remark{};   ///< why it was not looked at; empty if it was
+  bool is_looked_at = true;  ///< in any dimension, with any kernel
+  std::string remark{};      ///< in which dimensions no kernel would do, and why; may be empty
 
-  bool holds() const { return remark.empty() && found <= allowed; }
-  bool fails() const { return remark.empty() && claimed && !holds(); }
+  bool holds() const { return is_looked_at && found <= allowed; }
+  /// What cannot be looked at is not kept.
+  bool fails() const { return claimed && !holds(); }
 };
 
 /// Holds a scheme to what it claims (SchemeInfo::conserves, SchemeInfo::claims) and to what every scheme must do: in one to

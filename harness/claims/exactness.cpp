@@ -92,10 +92,10 @@ std::optional<double> linear_on_lattice(SchemeInfo const& scheme, Kernel const& 
   int const powers = scheme.claims.lattice_factors < 0 ? supports_seen(scheme) : scheme.claims.lattice_factors;
   double const factor = std::pow(lattice_factor(scene, kernel), powers);
   Random random(2);
-  // So small a gradient of pressure that any function of it is linear too.
+  // So small gradients of pressure and conductivity that any function and any mean of them is linear too.
   Vector<Dim> const of_pressure = 1e-4 * random.vector<Dim>(0.5, 2.0);
   Vector<Dim> const of_temperature = random.vector<Dim>(0.2, 0.9);
-  Vector<Dim> const of_conductivity = random.vector<Dim>(0.2, 0.9);
+  Vector<Dim> const of_conductivity = 1e-4 * random.vector<Dim>(0.2, 0.9);
   Matrix<Dim> of_velocity;
   for (int k = 0; k < Dim; ++k) of_velocity.col(k) = random.vector<Dim>(-1.0, 1.0);
   for (std::size_t i = 0; i < p.size(); ++i) {

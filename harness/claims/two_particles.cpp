@@ -49,7 +49,8 @@ std::optional<double> conductivity_mean(SchemeInfo const& scheme, Kernel const& 
     double const mean = scheme.claims.mean == ConductivityMean::arithmetic ? 0.5 * (1.0 + second)
                         : scheme.claims.mean == ConductivityMean::harmonic ? 2.0 * second / (1.0 + second)
                                                                            : std::sqrt(second);
-    worst = std::max(worst, std::abs(exchanged(1.0, second) / exchanged(1.0, 1.0) / mean - 1.0));
+    double const defect = std::abs(exchanged(1.0, second) / exchanged(1.0, 1.0) / mean - 1.0);
+    worst = std::isnan(defect) ? INFINITY : std::max(worst, defect);
   }
   return worst;
 }

@@ -28,7 +28,7 @@ struct Held {
 };
 
 char const* verdict_of(ClaimResult const& result) {
-  if (!result.remark.empty()) return "not looked at";
+  if (!result.is_looked_at) return "not looked at";
   if (result.fails()) return "FAILS";
   if (!result.claimed) return result.holds() ? "holds, unclaimed" : "not claimed";
   return "holds";
@@ -41,11 +41,11 @@ std::string readable(std::vector<Held> const& all) {
   for (Held const& held : all) {
     text += fmt::format("{}{}\n", text.empty() ? "" : "\n", held.scheme->id);
     for (ClaimResult const& one : held.claims) {
-      bool const seen = one.remark.empty();
+      bool const seen = one.is_looked_at;
       std::string const head = fmt::format("  {:<16} {:<8} ", verdict_of(one), seen ? scientific(one.found) : "-");
-      std::string const words = !seen          ? fmt::format("{} ({})", one.claim, one.remark)
-                                : one.holds() ? one.claim
-                                              : fmt::format("{} ({})", one.claim, one.where);
+      std::string words = one.claim;
+      if (seen && !one.holds()) words += fmt::format(" ({})", one.where);
+      if (!one.remark.empty()) words += fmt::format(" [{}]", one.remark);
       text += hanging_lines(head, words, head.size(), width);
     }
   }
@@ -57,7 +57,7 @@ Json json(std::vector<Held> const& all) {
   for (Held const& held : all) {
     Json& claims = document["formulations"][std::string(held.scheme->id)] = Json::array();
     for (ClaimResult const& one : held.claims) {
-      bool const seen = one.remark.empty();
+      bool const seen = one.is_looked_at;
       // An infinite defect is no number of JSON.
       bool const is_number = seen && one.found <= 1e300;
       claims.push_back({{"claim", one.claim},
@@ -100,7 +100,8 @@ void add_claims(CLI::App& app) {
   auto command = std::make_shared<ClaimsCommand>();
   CLI::App* sub = app.add_subcommand("claims", "Holds formulations to what they claim of themselves");
   sub->add_option("FORMULATION", command->ids, "Identifiers from `sphverify list formulations`; all by default");
-  sub->add_option("--plugin", command->plugins, "Shared libraries to hold to theirs (sphverify/plugin.h)");
+  sub->add_option("--plugin", command->plugins, "Shared libraries to hold to theirs (sphverify/plugin.h)")
+      ->allow_extra_args(false);
   sub->add_flag("--json", command->json, "As a JSON document");
   sub->footer(
       "Conservation, exactness, symmetry and continuity, in one to three dimensions with every kernel. What is not "

@@ -21,7 +21,8 @@ void add_evaluate(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("evaluate", "Rates of every scheme on particles that you give");
   sub->add_option("STATE.json", command->state, "A state document; - for standard input")->required();
   sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default");
-  sub->add_option("--plugin", command->plugins, "Shared libraries whose rates are wanted too (sphverify/plugin.h)");
+  sub->add_option("--plugin", command->plugins, "Shared libraries whose rates are wanted too (sphverify/plugin.h)")
+      ->allow_extra_args(false);
   sub->footer("Example: sphverify evaluate state.json -o rates.json");
   sub->callback([command] {
     for (std::string const& path : command->plugins) load_plugin_for_user(path, path, "");

@@ -28,7 +28,8 @@ Subject const* find_reference(Measuring const& measuring, std::vector<Subject> c
   if (found.size() > 1) {
     // Partners that are not named are those of the formulation itself.
     auto const others = std::remove_if(found.begin(), found.end(), [&](Subject const* other) {
-      return other->formulation.work != f.work || other->formulation.conduction != f.conduction;
+      return (!wanted.work && other->formulation.work != f.work) ||
+             (!wanted.conduction && other->formulation.conduction != f.conduction);
     });
     if (others != found.begin()) found.erase(others, found.end());
   }

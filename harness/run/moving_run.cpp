@@ -9,12 +9,12 @@
 #include <optional>
 
 #include "harness/measure/norms.hpp"
-#include "harness/measure/shock.hpp"
 #include "harness/run/clock.hpp"
 #include "harness/run/compared.hpp"
 #include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/gas_stability.hpp"
+#include "harness/run/measure_moving.hpp"
 #include "harness/run/moving_gas.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
@@ -29,7 +29,6 @@ constexpr double largest_time_error_share = 0.01;
 /// A gas that moves, or has heated, this many times faster or hotter than the problem ever does, is lost.
 constexpr double unstable_speed = 100.0;
 constexpr double unstable_energy = 1e4;
-constexpr std::size_t longest_history = 256;
 
 /// The particles as a run left them: what its errors are taken of.
 template <int Dim>
@@ -321,12 +320,12 @@ class MovingRun {
       add_error_context(problem_, scene.particles(),
                         exact_volumes(problem_, scene.particles(), problem_.final_time), regions_of(scene),
                         record_.errors);
-      measure_wall_flux(scene);
-      if (problem_.shocks) measure_shocks(scene, motion);
+      if (!choice_.conduction.empty()) measure_wall_flux(problem_, scene, record_);
+      if (problem_.shocks) measure_shocks(problem_, scene, record_, motion);
     }
-    if (options_.measure.contains(Measure::conservation)) measure_budgets(state);
+    if (options_.measure.contains(Measure::conservation)) measure_budgets(problem_, choice_, scene, state.budgets, record_);
     require_finite_budgets(record_);
-    if (options_.measure.contains(Measure::history)) store_history(state.history);
+    if (options_.measure.contains(Measure::history)) record_.history = thinned(state.history);
     if (record_.status != "ok") return;
     if (options_.measure.contains(Measure::energy_routes)) measure_energy_routes(state, motion);
     if (options_.measure.contains(Measure::cost)) measure_cost(state);
@@ -360,117 +359,12 @@ class MovingRun {
       record_.profile = make_profile(particles, fields, volumes, places);
   }
 
-  void measure_wall_flux(MovingScene<Dim> const& scene) {
-    if (choice_.conduction.empty() || !problem_.vectors.contains(Field::flux)) return;
-    auto const& exact = problem_.vectors.at(Field::flux);
-    double const t = problem_.final_time;
-    Particles<Dim> const& particles = scene.particles();
-    double scale = 0.0;
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      Vector<Dim> const flux = exact(particles.positions()[i], t);
-      for (Wall<Dim> const& wall : scene.walls())
-        scale = larger(scale, std::abs(flux.dot(wall.outward_normal)));
-    }
-    auto const exchange = scene.wall_exchange();
-    auto const volumes = exact_volumes(problem_, particles, t);
-    for (std::size_t w = 0; w < exchange.size(); ++w) {
-      Wall<Dim> const& wall = scene.walls()[w];
-      Number const inward = exact_wall_flux(exact, wall, particles, volumes, t);
-      if (!inward) continue;
-      double const measured = exchange[w].heat / wall_area(problem_.domain, wall);
-      record_.wall_flux.push_back({measured, *inward, measured - *inward, scale});
-    }
-  }
-
-  void measure_shocks(MovingScene<Dim> const& scene, Motion& motion) {
-    Particles<Dim> const& particles = scene.particles();
-    for (ShockFront const& front : problem_.shocks(problem_.final_time)) {
-      record_.shocks.push_back(measure_shock(particles, front));
-    }
-    auto const& exact = problem_.scalars.at(Field::internal_energy);
-    for (Wall<Dim> const& wall : scene.walls()) {
-      std::size_t nearest = 0;
-      for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (wall.distance(particles.positions()[i]) < wall.distance(particles.positions()[nearest]))
-          nearest = i;
-      }
-      double const e = exact(particles.positions()[nearest], problem_.final_time);
-      if (e <= 0.0) continue;
-      double const excess = particles.scalar(Field::internal_energy)[nearest] / e - 1.0;
-      double const most = std::abs(motion.wall_heating.value_or(0.0));
-      if (!motion.wall_heating || larger(std::abs(excess), most) != most) motion.wall_heating = excess;
-    }
-  }
-
-  void measure_budgets(FinalState<Dim> const& state) {
-    MovingScene<Dim> const& scene = state.gas->scene();
-    GasBudgets<Dim> const& budgets = state.budgets;
-    MovingScene<Dim> start(problem_, choice_);
-    start.evaluate(0.0, start.initial_state().data());
-    bool const with_walls = !scene.geometry().contacts.empty() || problem_.walls.empty();
-
-    Budget energy;
-    energy.initial = start.energy();
-    energy.final = scene.energy();
-    energy.exchanged = budgets.exchanged_energy();
-    energy.drift = energy.final - energy.initial - energy.exchanged;
-    energy.pair_drift = budgets.pair_energy;
-    Vector<Dim> impulse_defect = Vector<Dim>::Zero();
-    double energy_defect = 0.0;
-    for (std::size_t w = 0; w < budgets.walls.size(); ++w) {
-      WallExchange<Dim> const& wall = budgets.walls[w];
-      impulse_defect += wall.force - wall.prescribed_force;
-      energy_defect += wall.power - wall.prescribed_power;
-      Vector<Dim> const& place = scene.walls()[w].point;
-      record_.wall_budgets.push_back({{place.begin(), place.end()},
-                                      {wall.force.begin(), wall.force.end()},
-                                      {wall.prescribed_force.begin(), wall.prescribed_force.end()},
-                                      wall.power,
-                                      wall.prescribed_power,
-                                      wall.heat});
-    }
-    if (with_walls) energy.wall_budget_defect = energy_defect;
-    record_.conservation["energy"] = energy;
-
-    for (int k = 0; k < Dim; ++k) {
-      Budget momentum;
-      momentum.initial = start.momentum()[k];
-      momentum.final = scene.momentum()[k];
-      momentum.exchanged = budgets.exchanged_impulse()[k];
-      momentum.drift = momentum.final - momentum.initial - momentum.exchanged;
-      momentum.pair_drift = budgets.pair_impulse[k];
-      if (with_walls) momentum.wall_budget_defect = impulse_defect[k];
-      record_.momentum.push_back(momentum);
-    }
-    Budget mass;  // particles carry theirs along
-    for (double const m : scene.particles().masses()) mass.final += m;
-    mass.initial = mass.final;
-    record_.conservation["mass"] = mass;
-  }
-
-  void store_history(History const& history) {
-    History& stored = record_.history.emplace();
-    std::size_t const n = history.time.size();
-    std::size_t const stride = std::max<std::size_t>(1, (n + longest_history - 1) / longest_history);
-    auto const thin = [&](std::vector<double> const& values) {
-      std::vector<double> kept;
-      for (std::size_t k = 0; k < n; ++k) {
-        if (k % stride == 0 || k + 1 == n) kept.push_back(values[k]);
-      }
-      return kept;
-    };
-    stored = {
-        thin(history.time), thin(history.energy), thin(history.exchanged), thin(history.momentum), {}, {}};
-    for (auto const& wall : history.wall_impulse_defect) stored.wall_impulse_defect.push_back(thin(wall));
-    for (auto const& wall : history.wall_energy_defect) stored.wall_energy_defect.push_back(thin(wall));
-  }
-
   /// The same run with the other work form.
   void measure_energy_routes(FinalState<Dim> const& state, Motion& motion) {
     SceneChoice other = choice_;
     bool const total = find_scheme(choice_.work)->rate == Rate::total_work;
     other.work = total ? find_scheme(choice_.formulation)->work_partner : "work/total-energy";
-    if (other.work.empty()) return;  // the form knows of no other
+    if (!find_scheme(other.work)) return;  // the form knows of no other
     RunRecord const kept = record_;
     auto const found = integrate(other, accepted_rung());
     if (!found) {

@@ -81,7 +81,10 @@ void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
       {Field::density, Field::velocity, Field::pressure, Field::internal_energy, Field::sound_speed});
   particles_.allocate(needed_fields(momentum_operator_->info()));
   particles_.allocate(needed_fields(work_operator_->info()));
-  if (conduction_operator_) particles_.allocate(needed_fields(conduction_operator_->info()));
+  if (conduction_operator_) {
+    particles_.allocate(needed_fields(conduction_operator_->info()));
+    particles_.allocate({Field::temperature, Field::conductivity});  // which limit a step, whatever the form reads
+  }
   if (has_continuity()) particles_.allocate(Field::density_rate);
   if (adaptive_) particles_.vary_smoothing_length();
   energy_rate_.assign(n, 0.0);

@@ -138,6 +138,11 @@ void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
     return BrokenRun("positivity-lost", fmt::format("{} at t = {:.6g}", error.what(), time));
   };
   std::swap(particles_.vector(Field::velocity), drift_);
+  // What walls exchange and how they move is asked of them whatever the forms read there.
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles_,
+                         {BoundaryValue::pressure, BoundaryValue::velocity}, closure_, time);
+  }
   try {
     PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads_);
     // What has passes of its own before the rate keeps them to itself: two forms may write the same field there.

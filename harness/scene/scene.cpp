@@ -38,6 +38,9 @@ void Scene<Dim>::place_particles(SceneChoice const& choice) {
     particles_.masses()[cell.particle] = mean_density(cell) * cell.volume;
   particles_.positions() = std::move(layout.positions);
   particles_.allocate(needed_fields(scheme()));
+  // What the scene itself looks at, whatever the scheme reads.
+  particles_.allocate(Field::density);
+  if (scheme().rate == Rate::conduction_heating) particles_.allocate(Field::temperature);
 }
 
 template <int Dim>

@@ -43,6 +43,28 @@ std::string mismatch(CaseInfo const& scene_case, FormulationChoice const& formul
   return "";
 }
 
+/// What a form reads that the particles of a case do not have; empty if there is nothing.
+std::string lacks(CaseInfo const& info, AnyProblem const& problem, std::string const& formulation) {
+  SchemeInfo const* const scheme = find_scheme(formulation);
+  if (!scheme) return "";
+  constexpr FieldSet always{Field::position, Field::mass, Field::density};
+  constexpr FieldSet of_gas{Field::velocity, Field::pressure, Field::internal_energy, Field::sound_speed, Field::temperature};
+  return std::visit(
+      [&](auto const& p) -> std::string {
+        for (FieldInfo const& field : field_infos) {
+          if (!fields_read(*scheme).contains(field.field) || always.contains(field.field) ||
+              scheme->first_passes.writes().contains(field.field))
+            continue;
+          bool const is_known = field.field == Field::conductivity ? static_cast<bool>(p.conductivity)
+                                : moves(info.kind)                 ? of_gas.contains(field.field)
+                                                   : p.scalars.contains(field.field) || p.vectors.contains(field.field);
+          if (!is_known) return formulation + " reads the " + std::string(field.name) + ", which the case does not have";
+        }
+        return "";
+      },
+      problem);
+}
+
 bool suits(CaseKind kind, std::string const& density) {
   return density == "given" ? !moves(kind) : density == "continuity" ? moves(kind) : true;
 }
@@ -173,6 +195,14 @@ Expansion expand(Study const& study) {
       if (moves(info.kind) && formulation.work.empty())
         formulation.work = find_scheme(named.id)->work_partner;
       std::string const label = label_of(formulation);
+      std::string missing;
+      for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
+        if (missing.empty()) missing = lacks(info, problem, id);
+      }
+      if (!missing.empty()) {
+        skip_once({info.id, label, missing});
+        continue;
+      }
       if (!reference_only.empty()) {
         skip_once({info.id, label, reference_only});
         continue;

@@ -42,7 +42,7 @@ enum sphverify_rate {
 
 /* What is conserved between particles, to round-off: bits to add up. */
 #define SPHVERIFY_CONSERVES_MOMENTUM 1
-#define SPHVERIFY_CONSERVES_ENERGY 2
+#define SPHVERIFY_CONSERVES_ENERGY 2 /* of an acceleration: together with its work_partner */
 
 /* Filled by sphverify_plugin_describe; it comes filled with zeros. Texts end with a zero. */
 typedef struct sphverify_description {
@@ -71,7 +71,7 @@ typedef struct sphverify_wall {
   double const* distance;       /* to the plane  [m] */
   double const* face_weight;    /* integral of the kernel over the wall  [1/m] */
   double const* foot_density;   /* the kernel's sum of masses at the foot point, doubled at a plane wall  [kg/m^3] */
-  double const* pressure;       /* these only as far as asked for */
+  double const* pressure;       /* these are null unless asked for; the density at the wall is above */
   double const* temperature;
   double const* conductivity;
   double const* velocity[3];

@@ -32,6 +32,10 @@ Json number(double value) {
 }
 Json number(Number const& value) { return value ? number(*value) : Json(nullptr); }
 
+Json enough(Number const& resolution) {
+  return resolution && *resolution < 1e9 ? Json(std::ceil(*resolution - 1e-9)) : number(resolution);
+}
+
 Json numbers(std::vector<double> const& values) {
   Json list = Json::array();
   for (double const value : values) list.push_back(number(value));

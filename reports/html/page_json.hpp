@@ -14,6 +14,9 @@ namespace sphverify::page {
 /// Rounded to five digits, more than a plot can show; null where there is none.
 Json number(double value);
 Json number(Number const& value);
+
+/// The next whole number that is enough; rounded to the page's digits it might not be.
+Json enough(Number const& resolution);
 Json numbers(std::vector<double> const& values);
 
 /// Words that occur often are written once and then named by their number.

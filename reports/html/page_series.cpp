@@ -70,7 +70,7 @@ Json law_json(std::optional<ErrorLaw> const& law) {
 Json targets_json(std::vector<TargetResolution> const& targets, Dictionary& word) {
   Json list = Json::array();
   for (TargetResolution const& target : targets) {
-    list.push_back({number(target.relative), number(target.error), number(target.resolution),
+    list.push_back({number(target.relative), number(target.error), enough(target.resolution),
                     word.or_null(target.remark)});
   }
   return list;

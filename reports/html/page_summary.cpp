@@ -37,7 +37,7 @@ Json row_json(SummaryGroup const& group, SummaryRow const& row) {
           {"is_timed", row.is_timed},
           {"to_percent", number(row.seconds_to_percent)},
           {"is_bound", row.is_bound},
-          {"percent_resolution", number(row.percent_resolution)}};
+          {"percent_resolution", enough(row.percent_resolution)}};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 
@@ -32,7 +33,7 @@ std::string seconds_text(double seconds) {
 
 std::string percent_text(SummaryRow const& row) {
   if (row.seconds_to_percent) return (row.is_bound ? "<=" : "") + seconds_text(*row.seconds_to_percent);
-  if (row.percent_resolution) return fmt::format("N {:.0f}", *row.percent_resolution);
+  if (row.percent_resolution) return fmt::format("N {:.0f}", std::ceil(*row.percent_resolution - 1e-9));
   return row.is_timed ? "not reached" : "-";
 }
 

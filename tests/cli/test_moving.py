@@ -34,6 +34,13 @@ class Documents(ProgramTest):
         self.assertEqual([run["status"] for run in results["runs"]], ["ok"] * 4)
         self.assertEqual(self.study(results["study"], "again.json")["study"], results["study"])
 
+    def test_a_support_wider_than_half_a_period_is_a_fault_of_the_study_not_of_the_run(self):
+        case = {"id": "hydro/uniform", "parameters": {"boundary": "periodic"}}
+        (run,) = self.results(moving_study(cases=[case], resolution=[3], measure=["error"],
+                                           discretisation={"density": "continuity"}))["runs"]
+        self.assertEqual(run["status"], "invalid")
+        self.assertNotIn("t = 0", run["reason"])
+
     def test_a_partner_that_is_not_named_is_the_form_s_own(self):
         results = self.results(moving_study(formulations=["momentum/p-rho2", "momentum/sqrt-p"]))
         partners = {run["formulation"]: run["work"] for run in results["runs"]}

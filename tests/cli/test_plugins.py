@@ -227,6 +227,56 @@ class WhatIsWrong(PluginTest):
                 journal = target.with_name(target.name + ".journal")
                 self.assertEqual(len(journal.read_text().splitlines()), 3)
 
+    def test_a_plug_in_that_reads_nothing_runs_wherever_its_rate_makes_sense(self):
+        # What the harness itself looks at is there all the same.
+        nothing = "d->reads = 0;"
+        for number, rate in enumerate(("SPHVERIFY_CONDUCTION_HEATING", "SPHVERIFY_ACCELERATION")):
+            library = str(self.changed(f"blind{number}", describe=f'd->rate = {rate}; {nothing}',
+                                       name=f'"blind{number}"'))
+            formulation = {"id": f"plugin/blind{number}", "library": library}
+            cases = ["conduction/slab-dirichlet", "conduction/slab-insulated"]
+            if number == 1:
+                formulation["work"] = {"id": "plugin/blindwork", "library": str(self.changed(
+                    "blindwork", describe=f"d->rate = SPHVERIFY_INTERNAL_WORK; {nothing}", name='"blindwork"'))}
+                cases = ["hydro/piston-velocity", "hydro/piston-pressure"]
+            study = self.write("blind.json", {
+                "schema": "sphverify-study/1", "name": "blind", "cases": cases, "formulations": [formulation],
+                "discretisation": {"density": ["summation"]}, "resolution": [20]})
+            runs = strict_json(self.succeed("study", study))["runs"]
+            self.assertEqual(len(runs), 2)
+
+    def test_a_form_that_reads_what_a_case_does_not_have_is_skipped_with_the_reason(self):
+        for number, (bits, word) in enumerate((("SPHVERIFY_SOUND_SPEED", "sound_speed"), ("SPHVERIFY_PRESSURE", "pressure"))):
+            library = self.changed(f"curious{number}", describe=f"d->reads = {bits};")
+            study = self.slab(["conduction/brookshaw", {"id": "plugin/constant", "library": str(library)}])
+            results = strict_json(self.succeed("study", study))
+            self.assertEqual({r["formulation"] for r in results["runs"]}, {"conduction/brookshaw"})
+            self.assertEqual([s["reason"] for s in results["skipped"]],
+                             [f"plugin/constant reads the {word}, which the case does not have"])
+
+    def test_a_wall_s_part_in_a_particle_that_it_does_not_reach_is_refused(self):
+        library = self.changed("reaching", rates="if (s->walls) r->wall[0][0][s->count / 2] = 0.5; return 0;")
+        results = strict_json(self.succeed("study", self.slab([{"id": "plugin/constant", "library": str(library)}])))
+        self.assertEqual([r["status"] for r in results["runs"]], ["invalid", "invalid"])
+        self.assertIn("particle 10, which is no contact of it", results["runs"][0]["reason"])
+
+    def test_a_rounding_mode_that_is_left_behind_changes_nobody_else_s_rates(self):
+        library = self.changed("upward", rates="fesetround(FE_UPWARD); return 0;", symbol="#include <fenv.h>\nint sphverify_plugin_rates(")
+        path = self.write("state.json", next(self.states(1)))
+        alone = strict_json(self.succeed("evaluate", path))["rates"]
+        beside = strict_json(self.succeed("evaluate", path, "--plugin", library))["rates"]
+        self.assertEqual({id: beside[id] for id in alone}, alone)
+
+    def test_a_stack_that_runs_out_is_named_in_every_thread(self):
+        deep = "volatile char big[1 << 26]; for (size_t k = 0; k < sizeof big; k += 4096) big[k] = 1; return big[0] - 1;"
+        library = self.changed("deep", rates=deep, describe="d->thread_safe = 1; d->reads = SPHVERIFY_TEMPERATURE;")
+        study = self.slab([{"id": "plugin/constant", "library": str(library)}])
+        for jobs in ("1", "2"):
+            done = self.run_program("study", study, "--jobs", jobs)
+            self.assertEqual(done.returncode, 3, done.stderr)
+            self.assertIn("plugin/constant", done.stderr.splitlines()[-1])
+            self.assertIn("crashed: segmentation fault", done.stderr.splitlines()[-1])
+
     def test_a_study_is_not_gone_on_with_after_the_plug_in_has_changed(self):
         # The first of these crashes: a journal is left.
         library = self.changed("swap", rates="abort();")

@@ -202,6 +202,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(negative_values_are_refused_by_name_or_give_finite
     RandomScene<Dim> const scene = random_scene<Dim>(6, count);
     RandomScene<Dim> inside = scene;
     inside.particles.scalar(Field::pressure)[17] = -1e-9;
+    RandomScene<Dim> first = scene;
+    first.particles.scalar(Field::pressure)[0] = -1e-9;
     RandomScene<Dim> at_wall = scene;
     at_wall.walls[1].pressure = [](Vector<Dim> const&, double) { return -1e-9; };
     RandomScene<Dim> empty = scene;
@@ -209,6 +211,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(negative_values_are_refused_by_name_or_give_finite
     BOOST_CHECK_NO_THROW(evaluate(empty, scheme->id));
     if (scheme->non_negative.contains(Field::pressure)) {
       BOOST_CHECK_EXCEPTION(evaluate(inside, scheme->id), UndefinedRate, names("particle 17"));
+      BOOST_CHECK_EXCEPTION(evaluate(first, scheme->id), UndefinedRate, names("particle 0"));
       BOOST_CHECK_EXCEPTION(evaluate(at_wall, scheme->id), UndefinedRate, names("wall 1"));
       BOOST_CHECK_NO_THROW(evaluate(at_wall, scheme->id, false));
     } else {

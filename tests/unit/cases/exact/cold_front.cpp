@@ -198,6 +198,20 @@ BOOST_AUTO_TEST_CASE(temperature_falls_from_the_wall_to_the_medium) {
   }
 }
 
+// Places depend on K0 t alone.
+BOOST_AUTO_TEST_CASE(all_lengths_and_the_heat_grow_as_the_root_of_conductivity_times_time) {
+  ColdFront const one(3.0, 0.01, 1.0);
+  ColdFront const two(3.0, 0.01, 2.0);
+  for (double const t : {0.3, 0.7}) {
+    double const scale = std::sqrt(2.0 * t);
+    BOOST_TEST(two.front(t) == scale * one.front(1.0), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(two.foot(t) == scale * one.foot(1.0), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(two.foot_width(t) == scale * one.foot_width(1.0), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(two.heat(t) == scale * one.heat(1.0), boost::test_tools::tolerance(1e-12));
+    BOOST_TEST(two.temperature(0.4 * scale, t) == one.temperature(0.4, 1.0), boost::test_tools::tolerance(1e-12));
+  }
+}
+
 BOOST_AUTO_TEST_CASE(initial_state_is_uniform_but_for_the_wall) {
   ColdFront const exact(3.0, 0.01, 1.0);
   BOOST_TEST(exact.temperature(0.0, 0.0) == 1.0);

@@ -210,6 +210,9 @@ BOOST_AUTO_TEST_CASE(the_share_of_the_time_error_is_of_every_level) {
   BOOST_TEST(*all[0].value == 0.02);
   BOOST_TEST(*all[1].value == 0.3);
   BOOST_TEST(*all[0].round_off == 1e-15 / 0.25, tolerance(1e-12));
+  // An error of zero says nothing of its rounding.
+  run.errors["temperature"]["all"].error.l1 = 0.0;
+  BOOST_TEST(*measured(share, results_of({run})).at(0).round_off < 1.0);
 }
 
 BOOST_AUTO_TEST_CASE(rounding_is_known_of_what_may_be_zero) {

@@ -115,6 +115,17 @@ BOOST_AUTO_TEST_CASE(junit_escapes_what_xml_cannot_hold) {
   BOOST_TEST(says(text, R"(<failure type="undecided")"), text);
   BOOST_TEST(says(text, R"(<skipped message="expected failure: known"/>)"), text);
   BOOST_TEST(!says(text, "\x01"));
+  // What is skipped is what was expected to fail and did, nothing else.
+  std::vector<GateVerdict> some = all();
+  std::erase_if(some, [](GateVerdict const& one) { return one.verdict != Verdict::expected_failure; });
+  BOOST_TEST(says(verdicts_junit(gates(), some), R"(tests="1" failures="0" errors="0" skipped="1")"));
+  some = all();
+  std::erase_if(some, [](GateVerdict const& one) { return one.verdict != Verdict::unexpected_pass; });
+  BOOST_TEST(says(verdicts_junit(gates(), some), R"(tests="1" failures="1" errors="0" skipped="0")"));
+}
+
+BOOST_AUTO_TEST_CASE(control_characters_become_blanks_and_no_others) {
+  BOOST_TEST(without_control("a\x01\x1f ~\x7f\xc3\xa4") == "a   ~ \xc3\xa4");
 }
 
 BOOST_AUTO_TEST_CASE(annotations_escape_as_the_runner_decodes) {

@@ -112,6 +112,21 @@ BOOST_AUTO_TEST_CASE(exact_surfaces_give_their_exponents_back) {
     BOOST_TEST(*surface.sampling_exponent.value == s, boost::test_tools::tolerance(0.02));
     BOOST_TEST(*surface.spacing_exponent.value - t == 0.0, boost::test_tools::tolerance(0.02));
     BOOST_TEST(*surface.neighbour_exponent.value == (p - t) / (p + s), boost::test_tools::tolerance(0.02));
+    // What stands beside the path belongs together: at its place the law says its error and its cost.
+    BOOST_TEST_REQUIRE(!surface.paths.empty());
+    for (SurfacePath const& path : surface.paths) {
+      BOOST_TEST_REQUIRE(path.points.size() > 3u);
+      for (PathPoint const& point : path.points) {
+        double const spacing = 1.0 / point.resolution;
+        BOOST_TEST(surface_error(*surface.law, spacing, *point.ratio.value) == point.error,
+                   boost::test_tools::tolerance(1e-6));
+        BOOST_TEST(surface_cost(path.cost, point.resolution, *point.ratio.value) == point.cost,
+                   boost::test_tools::tolerance(1e-6));
+      }
+      BOOST_TEST_REQUIRE(path.rules.size() == 2u);
+      BOOST_TEST(path.rules[0].exponent == 0.0);
+      BOOST_TEST(path.rules[1].exponent == 0.5);
+    }
   }
 }
 

@@ -107,6 +107,7 @@ BOOST_AUTO_TEST_CASE(one_value_or_many_are_both_fine) {
   BOOST_TEST(study.repeat.least == 3);
   BOOST_TEST(study.repeat.spread == 0.0, "exactly so often");
   BOOST_TEST(study.time_budget == 12.5);
+  BOOST_TEST(to_json(study)["time_budget"] == 12.5);
 }
 
 BOOST_AUTO_TEST_CASE(repeats_go_on_until_there_are_enough) {

@@ -71,6 +71,35 @@ BOOST_AUTO_TEST_CASE(a_surface_is_read_back_as_it_was_written) {
   BOOST_TEST((path.rules[0].cost_ratio.value == 1.3 && path.rules[0].error_ratio.upper == 1.2));
 }
 
+// Both sides of what is read back come from one writer: what it writes under each name is said here once more.
+BOOST_AUTO_TEST_CASE(every_number_of_a_surface_stands_under_its_own_name) {
+  Json const all = to_json(full_surface());
+  BOOST_TEST(all["cells"][0] == Json::parse(R"({"resolution": 25, "smoothing_ratio": 1.25, "spacing": 0.04, "particles": 25,
+    "replicates": 5, "error": 0.01, "spread": 0.002, "fitted": 0.011, "seconds": 0.5, "pair_interactions": 1234})"));
+  BOOST_TEST(all["law"] == Json::parse(R"({"unit": 0.02, "floor": 1e-5, "smoothing_coefficient": 0.3,
+    "smoothing_exponent": 2.1, "sampling_coefficient": 0.4, "sampling_exponent": 3.2, "spacing_exponent": 0.6,
+    "correlation": -0.25, "sampling": [{"ratio": 1.25, "coefficient": 0.7}, {"ratio": 1.5, "coefficient": 0.8}]})"));
+  BOOST_TEST(all["candidates"][1] == Json::parse(R"({"model": "smoothing", "parameters": 2, "criterion": 33, "misfit": 0.9})"));
+  BOOST_TEST(all["best"][0] == Json::parse(R"({"resolution": 25, "ratio": {"value": 1.3, "interval": [1.2, 1.4]}, "edge": null,
+    "error": 0.009, "grid_ratio": 1.25, "grid_error": 0.01})"));
+  BOOST_TEST(all["paths"][0] == Json::parse(R"({"unit": "pair_interactions", "cost": {"coefficient": 17,
+    "resolution_exponent": 2.2, "ratio_exponent": 1.1, "misfit": 0.05},
+    "points": [{"error": 0.01, "N": 25.5, "ratio": {"value": 1.31, "interval": [1.21, 1.41]}, "cost": 900, "edge": "lower"}],
+    "grid_exponent": 0.35,
+    "rules": [{"exponent": 0.5, "N": 50, "ratio": 1.77, "error": 0.02, "error_ratio": {"value": 1.1, "interval": [1, 1.2]},
+               "cost_ratio": {"value": 1.3, "interval": [1.15, 1.45]}, "remark": "a remark"}],
+    "reason": "no reason"})"));
+  BOOST_TEST(all["misfit"] == 0.12);
+}
+
+BOOST_AUTO_TEST_CASE(an_interval_need_not_hold_its_value_but_runs_upwards) {
+  Json written = to_json(full_surface());
+  written["smoothing_exponent"] = {{"value", 1.0}, {"interval", {1.2, 1.4}}};
+  BOOST_TEST(*read_surface(Node(written, "f.json", "surfaces[0]")).error.smoothing_exponent.lower == 1.2);
+  written["smoothing_exponent"]["interval"] = {1.4, 1.2};
+  BOOST_CHECK_THROW(read_surface(Node(written, "f.json", "surfaces[0]")), UserError);
+}
+
 BOOST_AUTO_TEST_CASE(a_surface_names_neither_the_ratio_nor_the_seed_that_it_runs_over) {
   Json const json = to_json(full_surface());
   BOOST_TEST(!json["discretisation"].contains("smoothing_ratio"));

@@ -76,6 +76,7 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_formulation_stands_first_in_one_sentence) {
       "4.2 times.");
   BOOST_TEST_REQUIRE(answer != std::string::npos, text);
   BOOST_TEST(answer < text.find("h/dx of least error by the law"));
+  BOOST_TEST(text.starts_with("conduction/slab-dirichlet "), text);
   for (char const* cell :
        {"1.25: 1.2e-2", "-0.5 (-0.6 to -0.4)", "0.37", "5.1%", "1.0e-2: 25, 1.5", "7.1 (6-8)"})
     BOOST_TEST(contains(text, cell), cell);
@@ -138,6 +139,9 @@ BOOST_AUTO_TEST_CASE(text_shows_the_field_that_a_case_is_about_and_csv_all) {
   for (std::string line; std::getline(csv, line);) lines.push_back(line);
   BOOST_TEST_REQUIRE(lines.size() == 5u);
   BOOST_TEST(contains(lines[0], ",field,norm,resolution,smoothing_ratio,smoothing_ratio_low,"));
+  BOOST_TEST(contains(lines[0], ",pair_interactions_kept_cost_ratio,pair_interactions_kept_cost_ratio_low,"), lines[0]);
+  auto const cells = [](std::string const& line) { return std::count(line.begin(), line.end(), ','); };
+  for (std::string const& line : lines) BOOST_TEST(cells(line) >= cells(lines[0]), line);
   BOOST_TEST(contains(lines[1], ",flux,l2,25,1.5,1.4,1.65,,0.01,1.25,0.012,2,1.9,2.1,"));
   std::set<std::string> names;
   std::istringstream header(lines[0]);

@@ -270,9 +270,10 @@ def seed_of(run):
 
 
 def seconds_text(value):
-    """As the page writes it: three digits and a unit."""
+    """As the page writes it: three digits and a unit, of the five that the page's data have."""
     if value is None:
         return "–"
+    value = float(f"{value:.5g}")
     scale, unit = (1, "s") if value >= 1 else (1e3, "ms") if value >= 1e-3 else (1e6, "µs")
     return f"{float(format(value * scale, '.3g')):g} {unit}"
 

@@ -92,8 +92,10 @@ class SameRates(PluginTest):
         seen = 0
         for dimension in (1, 2, 3):
             for state in self.states(dimension):
-                rates = strict_json(self.succeed("evaluate", self.write("state.json", state), "--plugin", self.in_c,
-                                                 "--plugin", self.in_fortran))["rates"]
+                document = strict_json(self.succeed("evaluate", self.write("state.json", state), "--plugin", self.in_c,
+                                                    "--plugin", self.in_fortran))
+                self.assertEqual(program.complaints("sphverify-rates-1", document), [])
+                rates = document["rates"]
                 for end in ("", "-no-walls"):
                     for plugin, ours, key in (("plugin/p-rho2-in-c", "momentum/p-rho2", "acceleration"),
                                               ("plugin/brookshaw-in-fortran", "conduction/brookshaw", "heating")):

@@ -3,15 +3,15 @@
 
 #include "formulations/scheme.hpp"
 
-/// Pressure gradient with the geometric mean of the densities (Monaghan 1992, Annu. Rev. Astron. Astrophys. 30, 543, section
-/// 3; Wadsley et al. 2017, MNRAS 471, 2357, Eq. 5), with wall terms in the manner of Campbell 1989.
+/// Pressure gradient with the geometric mean of the densities (Monaghan 1992, Annu. Rev. Astron. Astrophys. 30, 543;
+/// Wadsley et al. 2017, MNRAS 471, 2357), with wall terms in the manner of Campbell 1989.
 ///
 ///   a_i = -sum_j m_j (P_i + P_j)/(rho_i rho_j) grad_i W_ij - (P_i + P_B)/rho_i S_i   [m/s^2]
 struct GeometricDensityAverage {
   static constexpr sphverify::SchemeInfo info{
       .id = "momentum/gdf",
       .title = "Pressure gradient with the geometric mean of the densities",
-      .source = "Monaghan 1992; Wadsley et al. 2017, Eq. 5",
+      .source = "Monaghan 1992; Wadsley et al. 2017",
       .equation = "a_i = -sum_j m_j (P_i + P_j)/(rho_i rho_j) grad_i W_ij - (P_i + P_B)/rho_i S_i",
       .remarks = "An example of a scheme from outside.",
       .rate = sphverify::Rate::acceleration,
@@ -35,7 +35,7 @@ struct GeometricDensityAverageWork {
   static constexpr sphverify::SchemeInfo info{
       .id = "work/gdf",
       .title = "Work of compression, partner of momentum/gdf",
-      .source = "Wadsley et al. 2017, Eq. 6",
+      .source = "Wadsley et al. 2017",
       .equation = "de_i/dt = sum_j m_j P_i/(rho_i rho_j) (v_i - v_j).grad_i W_ij + P_B/rho_i (v_i - v_B).S_i",
       .remarks = "An example of a scheme from outside.",
       .rate = sphverify::Rate::internal_work,

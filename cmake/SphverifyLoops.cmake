@@ -9,6 +9,7 @@ set(SPHVERIFY_INSTRUCTION_SETS baseline)
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
   list(APPEND SPHVERIFY_INSTRUCTION_SETS avx2)
 endif()
+list(GET SPHVERIFY_INSTRUCTION_SETS -1 SPHVERIFY_BEST_INSTRUCTION_SET)
 
 # A source file that is compiled for an instruction set.
 function(sphverify_hot_file set file)
@@ -25,39 +26,31 @@ function(sphverify_hot_file set file)
     COMPILE_OPTIONS "${options}")
 endfunction()
 
-# sphverify_add_loops(TARGET FILE TEMPLATE SET FUSED): a file of a template, with the caller's `includes` and `instantiations`
-# in it. FUSED: whether it has loops made for single schemes, which take most of the time to compile.
-function(sphverify_add_loops target file template set fused)
-  set(path "${CMAKE_CURRENT_BINARY_DIR}/generated/${file}_${set}.cpp")
-  configure_file("${SPHVERIFY_LOOP_TEMPLATES}/${template}.cpp.in" "${path}" @ONLY)
-  target_sources(${target} PRIVATE "${path}")
-  sphverify_hot_file(${set} "${path}")
+# sphverify_add_loops(TARGET FILE TEMPLATE): a file of a template for every instruction set, with the caller's `includes` and
+# `instantiations` in it. Only the best set, the last, has loops made for single schemes: half of all compilation.
+function(sphverify_add_loops target file template)
+  set(specialises 0)
+  foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)
+    if(set STREQUAL SPHVERIFY_BEST_INSTRUCTION_SET)
+      set(specialises 1)
+    endif()
+    set(path "${CMAKE_CURRENT_BINARY_DIR}/generated/${file}_${set}.cpp")
+    configure_file("${SPHVERIFY_LOOP_TEMPLATES}/${template}.cpp.in" "${path}" @ONLY)
+    target_sources(${target} PRIVATE "${path}")
+    sphverify_hot_file(${set} "${path}")
+  endforeach()
 endfunction()
 
-# The loops of a kernel for every instruction set.
+# The loops of a kernel.
 # @param type     Of 1, 2 and 3 dimensions, such as CubicSpline
 # @param schemes  a tuple of those that get a loop of their own with it
 # @param includes  lines that bring both
 function(sphverify_add_kernel_loops target name type schemes includes)
-  foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)
-    # Where there is a better set a processor without it can do without loops of single schemes, except with the kernel that
-    # most runs take.
-    set(fused 1)
-    if(set STREQUAL "baseline" AND "avx2" IN_LIST SPHVERIFY_INSTRUCTION_SETS AND NOT name STREQUAL "cubic_spline")
-      set(fused 0)
-    endif()
-    sphverify_add_loops(${target} "${name}" kernel_loops ${set} ${fused})
-  endforeach()
+  sphverify_add_loops(${target} "${name}" kernel_loops)
 endfunction()
 
-# The loops of schemes for every instruction set.
+# The loops of schemes.
 # @param instantiations  explicit instantiations of what formulations/sweep/scheme_loops.hpp has
 function(sphverify_add_scheme_loops target name instantiations includes)
-  foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)
-    set(fused 1)
-    if(set STREQUAL "baseline" AND "avx2" IN_LIST SPHVERIFY_INSTRUCTION_SETS)
-      set(fused 0)
-    endif()
-    sphverify_add_loops(${target} "${name}" scheme_loops ${set} ${fused})
-  endforeach()
+  sphverify_add_loops(${target} "${name}" scheme_loops)
 endfunction()

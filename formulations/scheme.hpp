@@ -24,7 +24,8 @@ enum class Rate {
 /// What a scheme reads of the kernel at a pair.
 enum class KernelWeight {
   gradient,  ///< grad_i W_ij, a vector  [m^-(Dim+1)]
-  radial     ///< (r_ij . grad_i W_ij) / r_ij^2 = W'(r)/r  [m^-(Dim+2)]
+  radial,    ///< (r_ij . grad_i W_ij) / r_ij^2 = W'(r)/r  [m^-(Dim+2)]
+  value      ///< W_ij, a number  [m^-Dim]
 };
 using KernelWeightSet = FlagSet<KernelWeight>;
 
@@ -163,6 +164,26 @@ constexpr bool reads_what_nobody_wrote(SchemeInfo const& scheme) {
   return false;
 }
 
+/// The fields of particles from which closures take the wall values that a wall does not prescribe (fill_boundary_values).
+constexpr FieldSet closure_fields(BoundaryValueSet values) {
+  FieldSet fields;
+  if (values.contains(BoundaryValue::pressure)) fields.insert(Field::pressure);
+  if (values.contains(BoundaryValue::velocity)) fields.insert(Field::velocity);
+  if (values.contains(BoundaryValue::temperature) || values.contains(BoundaryValue::flux))
+    fields = fields | FieldSet{Field::temperature, Field::conductivity};
+  if (values.contains(BoundaryValue::conductivity)) fields.insert(Field::conductivity);
+  return fields;
+}
+
+/// Whether closures find all that they need of particles among what it reads and writes.
+constexpr bool feeds_its_closures(SchemeInfo const& scheme) {
+  FieldSet const known = fields_read(scheme) | scheme.first_passes.writes();
+  BoundaryValueSet closed = scheme.boundary;
+  for (PassInfo const& pass : scheme.first_passes) closed = closed | pass.boundary;
+  return known.contains(closure_fields(wall_values_read(scheme))) &&
+         (!closed.contains(BoundaryValue::flux) || known.contains(Field::flux));
+}
+
 /// What can be listed and swept as a scheme: a struct with a constexpr `info`; with `pair(i, j, W)` and `wall(i, B)`; and, in
 /// `passes`, the code of the first passes that its `info` names.
 template <class Type>
@@ -174,7 +195,9 @@ concept HasItsFirstPasses = std::tuple_size_v<typename PassesOf<Type>::type> == 
 template <class Type>
 concept ReadsWhatIsWritten = !reads_what_nobody_wrote(Type::info);
 template <class Type>
-concept IsScheme = HasSchemeInfo<Type> && HasItsFirstPasses<Type> && ReadsWhatIsWritten<Type>;
+concept FeedsItsClosures = feeds_its_closures(Type::info);
+template <class Type>
+concept IsScheme = HasSchemeInfo<Type> && HasItsFirstPasses<Type> && ReadsWhatIsWritten<Type> && FeedsItsClosures<Type>;
 
 /// All passes of a scheme; its own, which makes the rate, is the last.
 template <class Scheme>

@@ -195,7 +195,8 @@ class SchemeOperator final : public RateOperator<Dim> {
 template <class Scheme>
 SchemePart scheme_part() {
   static_assert(IsScheme<Scheme>, "a scheme has a constexpr `info`, in `passes` the code of the first passes that it names, and "
-                                  "reads of pass_... only what these write (formulations/scheme.hpp)");
+                                  "reads of pass_... only what these write, and the fields from which walls take what they do "
+                                  "not prescribe (formulations/scheme.hpp)");
   return {.info = &Scheme::info,
           .in_1d = [] { return std::unique_ptr<RateOperator<1>>(std::make_unique<SchemeOperator<Scheme, 1>>()); },
           .in_2d = [] { return std::unique_ptr<RateOperator<2>>(std::make_unique<SchemeOperator<Scheme, 2>>()); },

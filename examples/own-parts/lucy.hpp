@@ -32,5 +32,4 @@ struct Lucy : sphverify::Scaled<Lucy<Dim>, Dim> {
     auto const p = max(1.0 - 0.5 * q, decltype(q)(0.0));
     return -3.0 * p * p;
   }
-  static auto slope_shape(auto q, auto) { return slope_shape(q); }
 };

@@ -48,7 +48,6 @@ struct WendlandC2 : Scaled<WendlandC2<Dim>, Dim> {
       return -5.0 * (p * p * p);
     }
   }
-  static auto slope_shape(auto q, auto) { return slope_shape(q); }
 };
 
 }  // namespace sphverify

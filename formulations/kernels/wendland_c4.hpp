@@ -51,7 +51,6 @@ struct WendlandC4 : Scaled<WendlandC4<Dim>, Dim> {
       return p2 * p2 * p * (-14.0 / 3.0 - 35.0 / 3.0 * q);
     }
   }
-  static auto slope_shape(auto q, auto) { return slope_shape(q); }
 };
 
 }  // namespace sphverify

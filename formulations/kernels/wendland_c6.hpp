@@ -53,7 +53,6 @@ struct WendlandC6 : Scaled<WendlandC6<Dim>, Dim> {
       return p2 * p2 * p2 * p * (-5.5 - q * (19.25 + 22.0 * q));
     }
   }
-  static auto slope_shape(auto q, auto) { return slope_shape(q); }
 };
 
 }  // namespace sphverify

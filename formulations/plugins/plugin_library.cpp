@@ -123,10 +123,11 @@ void PluginLibrary::describe() {
   info_.equation = d.equation;
   info_.remarks = path_;
   info_.rate = known_rates[static_cast<std::size_t>(d.rate)];
-  info_.reads = set_of(d.reads, of_particles, "reads");
+  asked_ = set_of(d.reads, of_particles, "reads");
   info_.kernel = {KernelWeight::gradient};
   info_.boundary = set_of(d.reads_at_walls & ~(SPHVERIFY_FLUX | SPHVERIFY_DENSITY), at_walls, "reads_at_walls");
   if (d.reads_at_walls & SPHVERIFY_FLUX) info_.boundary_if_prescribed.insert(BoundaryValue::flux);
+  info_.reads = asked_ | closure_fields(info_.boundary | info_.boundary_if_prescribed);
   InvariantSet const conserves = set_of(d.conserves, invariants, "conserves");
   bool const is_momentum = info_.rate == Rate::acceleration;
   info_.claims.energy_with_partner = is_momentum && conserves.contains(Invariant::energy);

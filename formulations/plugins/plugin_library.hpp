@@ -32,6 +32,8 @@ class PluginLibrary {
 
   std::string const& path() const { return path_; }
   SchemeInfo const& info() const { return info_; }
+  /// What it reads of particles; info().reads has what closures at walls look at beside.
+  FieldSet asked() const { return asked_; }
   bool wants_neighbours() const { return description_.wants_neighbours != 0; }
 
   /// Calls the library's function; one thread at a time unless it says that it can do more. A crash inside ends the program
@@ -42,7 +44,8 @@ class PluginLibrary {
  private:
   void describe();
 
-  std::string path_, id_, name_;
+  std::string path_, id_;
+  FieldSet asked_;
   sphverify_description description_{};
   int (*rates_)(sphverify_state const*, sphverify_rates*) = nullptr;
   void (*describe_)(sphverify_description*) = nullptr;

@@ -149,7 +149,8 @@ class PluginOperator final : public RateOperator<Dim> {
       wall.temperature = asked(BoundaryValue::temperature, contacts.temperature);
       wall.conductivity = asked(BoundaryValue::conductivity, contacts.conductivity);
       if (info().boundary.contains(BoundaryValue::velocity)) point_to(contacts.velocity, wall.velocity);
-      if (info().boundary_if_prescribed.contains(BoundaryValue::flux) && geometry.walls[w].prescribes(BoundaryValue::flux)) point_to(contacts.flux, wall.flux);
+      bool const has_flux = geometry.walls[w].prescribes(BoundaryValue::flux);
+      if (has_flux && info().boundary_if_prescribed.contains(BoundaryValue::flux)) point_to(contacts.flux, wall.flux);
     }
     return walls;
   }
@@ -167,14 +168,14 @@ class PluginOperator final : public RateOperator<Dim> {
     point_to(particles.positions(), state.position);
     state.mass = particles.masses().data();
     auto const asked = [&](Field field) {
-      return info().reads.contains(field) ? particles.scalar(field).data() : nullptr;
+      return library_.asked().contains(field) ? particles.scalar(field).data() : nullptr;
     };
     state.density = asked(Field::density);
     state.pressure = asked(Field::pressure);
     state.temperature = asked(Field::temperature);
     state.conductivity = asked(Field::conductivity);
     state.sound_speed = asked(Field::sound_speed);
-    if (info().reads.contains(Field::velocity)) point_to(particles.vector(Field::velocity), state.velocity);
+    if (library_.asked().contains(Field::velocity)) point_to(particles.vector(Field::velocity), state.velocity);
     copy(geometry.domain.lower, state.lower);
     copy(geometry.domain.upper, state.upper);
     for (int k = 0; k < Dim; ++k) {

@@ -54,6 +54,13 @@ struct TermList<Dim, First, Rest...> {
   }
 };
 
+/// Whether the term reads W_ij.
+template <class Term>
+inline constexpr bool wants_value = false;
+template <class Scheme, std::size_t n, int Dim>
+inline constexpr bool wants_value<PassTerm<Scheme, n, Dim>> =
+    PassTerm<Scheme, n, Dim>::Pass::info.kernel.contains(KernelWeight::value);
+
 /// Whether the term reads `u`.
 template <class Term>
 inline constexpr bool reads_state_velocity = requires {
@@ -96,9 +103,15 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
             Pack const q = W.length * Pack(per_h);
             Pack const divisor = TermList<Dim, Terms...>::divisor(slots, ReadOwn{own}, ReadRegisters{columns}, W);
             Pack const quotient = Pack(1.0) / (q * divisor);
-            W.slope = scale * Kernel::slope_shape(q, quotient * divisor);
+            if constexpr (requires { Kernel::slope_shape(q, q); }) {
+              W.slope = scale * Kernel::slope_shape(q, quotient * divisor);
+            } else {
+              W.slope = scale * Kernel::slope_shape(q);
+            }
             W.inverse = quotient * q;
           }
+          if constexpr ((wants_value<Terms> || ...))
+            W.weight = Pack(Kernel::sigma) * integer_power<Dim>(Pack(per_h)) * Kernel::shape(W.length * Pack(per_h));
           terms.add(slots, ReadOwn{own}, ReadRegisters{columns}, W);
         });
     terms.write(plan.terms, h, i);

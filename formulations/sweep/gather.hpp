@@ -6,6 +6,10 @@
 // Included by the files that are compiled once per instruction set, and by nothing else.
 namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 
+/// Whether this is the best instruction set of the architecture, whose loops are made for single schemes and plans too. Others
+/// are for processors that are hardly found any more, and take the general loop.
+inline constexpr bool specialises = SPHVERIFY_SPECIALISES;
+
 /// Four records are four rows of a matrix; its columns are wanted.
 struct Transposed {
   Pack column[Pack::size];
@@ -80,11 +84,13 @@ class Gatherer {
         columns_(scratch),
         distance_(scratch + stride() * part_size),
         radial_(distance_ + part_size),
+        value_(radial_ + part_size),
         h_(plan.h),
         per_h_(1.0 / plan.h),
         scale_((Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(1.0 / plan.h))).lanes[0]),
         wants_separation_(plan.wants_separation),
-        wants_radial_(plan.wants_radial) {}
+        wants_radial_(plan.wants_radial),
+        wants_value_(plan.wants_value) {}
 
   /// @param list particle i's neighbours, or at most part_size of them
   SPHVERIFY_INLINE Row gather(std::size_t i, std::uint32_t const* list, std::size_t count) {
@@ -95,7 +101,7 @@ class Gatherer {
             SPHVERIFY_FORCE_INLINE { add(own, four, k, idle); });
     std::size_t const padded = (count + Pack::size - 1) / Pack::size * Pack::size;
     double const h = own_lengths ? own[plan_.slots.h] : h_;
-    return {plan_.slots, own, columns_, distance_, radial_, padded, h};
+    return {plan_.slots, own, columns_, distance_, radial_, value_, padded, h};
   }
 
  private:
@@ -130,6 +136,8 @@ class Gatherer {
     }
     Pack const r = sqrt(mask_idle<Kernel>(separation.squaredNorm(), idle, h));
     r.store(distance_ + k);
+    if (wants_value_)
+      (Pack(Kernel::sigma) * integer_power<Dim>(per_h) * Kernel::shape(r * per_h)).store(value_ + k);
     if (!wants_radial_) return;
     Pack scale = scale_;
     if constexpr (own_lengths) scale = Pack(Kernel::sigma) * integer_power<Dim + 2>(per_h);
@@ -140,8 +148,9 @@ class Gatherer {
   double* columns_;
   double* distance_;
   double* radial_;
+  double* value_;
   double h_, per_h_, scale_;
-  bool wants_separation_, wants_radial_;
+  bool wants_separation_, wants_radial_, wants_value_;
 };
 
 /// The sums of all terms of rows begin to end.
@@ -170,7 +179,7 @@ struct SumTerms {
 /// Takes the gatherer that suits a plan; common plans have one of their own, in which all sizes are known.
 template <int Dim, class Kernel, class Work, Wrapping wrapping, bool own_lengths, class... Rest>
 SPHVERIFY_INLINE void with_gatherer(SweepPlan const& plan, Rest... rest) {
-  if constexpr (wrapping != Wrapping::turned) {
+  if constexpr (specialises && wrapping != Wrapping::turned) {
     if (plan.stride == 4) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 1>>(plan, rest...);
     if (plan.stride == 8) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 2>>(plan, rest...);
     if (plan.stride == 12) return Work::template run<Gatherer<Dim, Kernel, wrapping, own_lengths, 3>>(plan, rest...);
@@ -205,7 +214,7 @@ template <int Dim, class Kernel>
 void conductances(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
                   std::size_t end, double* scratch, double* out) {
   auto const run = [&](auto gatherer) {
-    double* const padded = scratch + (plan.stride + 2) * part_size;
+    double* const padded = scratch + (plan.stride + 3) * part_size;
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t from = plan.first[i]; from < plan.first[i + 1]; from += part_size) {
         std::size_t const left = plan.first[i + 1] - from;

@@ -33,13 +33,13 @@ constexpr auto all_fused(std::tuple<Schemes...> const*) {
 }
 
 template <int Dim, class Kernel, class Schemes>
-std::span<FusedSweep const> fused_if_wanted() {
-#if SPHVERIFY_WITH_FUSED_LOOPS
-  static constexpr auto all = all_fused<Dim, Kernel>(static_cast<Schemes const*>(nullptr));
-  return all;
-#else
-  return {};
-#endif
+std::span<FusedSweep const> special_loops() {
+  if constexpr (specialises) {
+    static constexpr auto all = all_fused<Dim, Kernel>(static_cast<Schemes const*>(nullptr));
+    return all;
+  } else {
+    return {};
+  }
 }
 
 #define SPHVERIFY_TEXT_OF(name) #name
@@ -52,7 +52,7 @@ SweepKernels const& loops() {
   using K = Kernel<Dim>;
   static SweepKernels const all{.instruction_set = SPHVERIFY_NAME_OF(SPHVERIFY_INSTRUCTION_SET),
                                 .rows = rows<Dim, K>,
-                                .fused = fused_if_wanted<Dim, K, Schemes>(),
+                                .fused = special_loops<Dim, K, Schemes>(),
                                 .density = sum_row<DensityTerm<Dim, K>, Dim>,
                                 .viscosity = sum_row<ViscosityTerm<Dim, K>, Dim>,
                                 .approach = sum_row<ApproachTerm<Dim, K>, Dim>,

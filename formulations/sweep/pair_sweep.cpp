@@ -138,7 +138,8 @@ void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel
   std::copy(out.begin(), out.end(), term.outputs.begin());
   terms_.push_back(term);
   reads_ = reads_ | reads;
-  if (!kernel.empty()) wants_radial_ = true;
+  if (kernel.contains(KernelWeight::gradient) || kernel.contains(KernelWeight::radial)) wants_radial_ = true;
+  if (kernel.contains(KernelWeight::value)) wants_value_ = true;
   if (kernel.contains(KernelWeight::gradient) || reads.contains(Field::velocity)) wants_separation_ = true;
 }
 
@@ -176,6 +177,7 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .axes = {},
                  .wants_separation = wants_separation_,
                  .wants_radial = wants_radial_,
+                 .wants_value = wants_value_,
                  .terms = terms_.data(),
                  .term_count = terms_.size()};
   if (domain_.is_periodic()) plan.wrapping = domain_.is_turned() ? Wrapping::turned : Wrapping::along_axes;

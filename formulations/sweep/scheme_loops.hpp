@@ -41,7 +41,8 @@ constexpr SchemeLoops loops_of() {
 template <class Scheme, int Dim>
 SchemeLoops const& scheme_loops() {
   static_assert(IsScheme<Scheme>, "a scheme has a constexpr `info`, in `passes` the code of the first passes that it names, and "
-                                  "reads of pass_... only what these write (formulations/scheme.hpp)");
+                                  "reads of pass_... only what these write, and the fields from which walls take what they do "
+                                  "not prescribe (formulations/scheme.hpp)");
   static constexpr SchemeLoops loops = loops_of<Scheme, Dim>();
   return loops;
 }
@@ -49,20 +50,20 @@ SchemeLoops const& scheme_loops() {
 /// For each kernel of ours the loops made for just this scheme; for ours they lie with the kernel (kernels.hpp).
 template <class Scheme, int Dim>
 std::span<FusedWithKernel const> fused_with_kernels() {
-#if SPHVERIFY_WITH_FUSED_LOOPS
-  static constexpr auto all = []<class... Kernels>(std::tuple<Kernels...> const*) {
-    auto const with = []<class Kernel>(Kernel const*) {
-      auto const loops = fused_passes<Dim, Kernel, Scheme>();
-      std::array<FusedWithKernel, loops.size()> named{};
-      for (std::size_t n = 0; n < loops.size(); ++n) named[n] = {Kernel::id, loops[n]};
-      return named;
-    };
-    return joined(with(static_cast<Kernels const*>(nullptr))...);
-  }(static_cast<KernelList<Dim> const*>(nullptr));
-  return all;
-#else
-  return {};
-#endif
+  if constexpr (specialises) {
+    static constexpr auto all = []<class... Kernels>(std::tuple<Kernels...> const*) {
+      auto const with = []<class Kernel>(Kernel const*) {
+        auto const loops = fused_passes<Dim, Kernel, Scheme>();
+        std::array<FusedWithKernel, loops.size()> named{};
+        for (std::size_t n = 0; n < loops.size(); ++n) named[n] = {Kernel::id, loops[n]};
+        return named;
+      };
+      return joined(with(static_cast<Kernels const*>(nullptr))...);
+    }(static_cast<KernelList<Dim> const*>(nullptr));
+    return all;
+  } else {
+    return {};
+  }
 }
 
 /// Compiles the loops of all schemes of a list.

@@ -72,6 +72,7 @@ struct Row {
                           ///< if some term wants it
   double const* distance;  ///< r_ij  [m]
   double const* radial;    ///< W'(r)/r; only if some term reads the gradient or this
+  double const* value;     ///< W; only if some term reads it
   std::size_t count;       ///< neighbours, filled up to whole packs with ones out of reach
   double h;                ///< the particle's own smoothing length [m]
 };
@@ -108,6 +109,7 @@ struct SweepPlan {
   std::array<double, 9> axes;            ///< the box's axes, one after the other
   bool wants_separation;
   bool wants_radial;
+  bool wants_value;
   RowTerm const* terms;
   std::size_t term_count;
 };
@@ -153,6 +155,6 @@ struct SweepKernels {
 };
 
 /// Doubles of scratch memory that a plan's rows need.
-constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 3) * part_size; }
+constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 4) * part_size; }
 
 }  // namespace sphverify

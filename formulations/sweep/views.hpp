@@ -121,6 +121,7 @@ class KernelColumns {
   SPHVERIFY_INLINE Pack radial() const {
     return Pack::load(row_.radial + k_);
   }  ///< (r_ij . grad_i W_ij)/r_ij^2
+  SPHVERIFY_INLINE Pack value() const { return Pack::load(row_.value + k_); }  ///< W_ij
   SPHVERIFY_INLINE Pack distance() const { return Pack::load(row_.distance + k_); }  ///< r_ij
   SPHVERIFY_INLINE Pack squared_distance() const { return distance() * distance(); }
   /// @param divisor the term's `divisor`
@@ -148,11 +149,12 @@ class KernelColumns {
 template <int Dim>
 struct KernelRegisters {
   PackVector<Dim> r;
-  Pack squared, length, slope;
+  Pack squared, length, slope, weight;
   Pack inverse;  ///< of the divisor that one of the terms has
   double common_h;
 
   SPHVERIFY_INLINE Pack radial() const { return slope; }
+  SPHVERIFY_INLINE Pack value() const { return weight; }
   SPHVERIFY_INLINE Pack distance() const { return length; }
   SPHVERIFY_INLINE Pack squared_distance() const { return squared; }
   SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, inverse}; }
@@ -171,8 +173,13 @@ class DeclaredKernel {
 
   SPHVERIFY_INLINE Pack distance() const { return all_.distance(); }
   SPHVERIFY_INLINE Pack h() const { return all_.h(); }
+  SPHVERIFY_INLINE Pack value() const
+    requires(weights.contains(KernelWeight::value))
+  {
+    return all_.value();
+  }
   SPHVERIFY_INLINE Pack radial() const
-    requires(!weights.empty())
+    requires(weights.contains(KernelWeight::radial) || weights.contains(KernelWeight::gradient))
   {
     return all_.radial();
   }

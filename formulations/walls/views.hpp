@@ -15,8 +15,9 @@ struct FieldPointers {
   double const *pass_number = nullptr, *pass_number_2 = nullptr;
   std::array<double const*, Dim> v{}, F{}, pass_vector{};
   TensorField<Dim> const* pass_tensor = nullptr;
+  Particles<Dim> const* all;
 
-  explicit FieldPointers(Particles<Dim> const& particles) {
+  explicit FieldPointers(Particles<Dim> const& particles) : all(&particles) {
     auto const scalar = [&](Field f) { return particles.has(f) ? particles.scalar(f).data() : nullptr; };
     m = scalar(Field::mass);
     rho = scalar(Field::density);
@@ -46,6 +47,11 @@ class ParticleView {
     requires(reads.contains(Field::mass))
   {
     return f_->m[i_];
+  }
+  /// W_ii, what a sum over neighbours leaves out  [m^-Dim]
+  double W0() const {
+    auto const& own = f_->all->smoothing_lengths();
+    return f_->all->kernel().value(0.0, own.empty() ? f_->all->smoothing_length() : own[i_]);
   }
   double rho() const
     requires(reads.contains(Field::density))

@@ -5,15 +5,6 @@ namespace sphverify::claims {
 
 namespace {
 
-constexpr std::size_t count = 60;
-
-template <int Dim>
-RandomScene<Dim> scene_with(Kernel const& kernel, std::uint64_t seed) {
-  RandomScene<Dim> scene = random_scene<Dim>(seed, count);
-  scene.particles.set_kernel(kernel);
-  return scene;
-}
-
 /// Sum of m times the rate, and the sum of its magnitudes.
 template <int Dim>
 struct Budget {
@@ -39,7 +30,7 @@ struct Budget {
 
 template <int Dim>
 std::optional<double> pair_budget(SchemeInfo const& scheme, Kernel const& kernel) {
-  RandomScene<Dim> const scene = scene_with<Dim>(kernel, 1);
+  RandomScene<Dim> const scene = random_scene<Dim>(kernel, 1);
   Budget<Dim> const budget(scene, evaluate(scene, scheme.id, false));
   return budget.net() / budget.gross;
 }
@@ -49,11 +40,11 @@ std::optional<double> energy_with_partner(SchemeInfo const& scheme, Kernel const
   if (scheme.rate != Rate::acceleration || scheme.work_partner.empty()) return std::nullopt;
   SchemeInfo const* const partner = find_scheme(scheme.work_partner);
   if (!partner || partner->rate != Rate::internal_work) return std::nullopt;
-  RandomScene<Dim> const scene = scene_with<Dim>(kernel, 2);
+  RandomScene<Dim> const scene = random_scene<Dim>(kernel, 2);
   auto const a = evaluate(scene, scheme.id, false).acceleration;
   auto const heating = evaluate(scene, partner->id, false).heating;
   double net = 0.0, gross = 0.0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < usual_count; ++i) {
     double const kinetic = scene.particles.masses()[i] * scene.particles.vector(Field::velocity)[i].dot(a[i]);
     double const internal = scene.particles.masses()[i] * heating[i];
     net += kinetic + internal;
@@ -66,7 +57,7 @@ template <int Dim>
 std::optional<double> wall_budget(SchemeInfo const& scheme, Kernel const& kernel) {
   // Where walls act through an earlier pass as well, pairs with walls are not pairs without.
   if (supports_seen(scheme) > 1) return std::nullopt;
-  RandomScene<Dim> const scene = scene_with<Dim>(kernel, 3);
+  RandomScene<Dim> const scene = random_scene<Dim>(kernel, 3);
   Rates<Dim> const rates = evaluate(scene, scheme.id);
   Budget<Dim> const gained(scene, rates);
   Budget<Dim> const by_pairs(scene, evaluate(scene, scheme.id, false));

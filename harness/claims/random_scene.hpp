@@ -141,6 +141,15 @@ RandomScene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryVal
   return scene;
 }
 
+/// The same with a kernel and this many particles.
+inline constexpr std::size_t usual_count = 60;
+template <int Dim>
+RandomScene<Dim> random_scene(Kernel const& kernel, std::uint64_t seed) {
+  RandomScene<Dim> scene = random_scene<Dim>(seed, usual_count);
+  scene.particles.set_kernel(kernel);
+  return scene;
+}
+
 /// A cubic lattice of `side` particles per axis around the origin, with volumes dx^Dim and unit density.
 /// No walls; only positions, masses and density are set.
 template <int Dim>

@@ -3,22 +3,9 @@
 
 namespace sphverify::claims {
 
-namespace {
-
-constexpr std::size_t count = 60;
-
-template <int Dim>
-RandomScene<Dim> scene_with(Kernel const& kernel, std::uint64_t seed) {
-  RandomScene<Dim> scene = random_scene<Dim>(seed, count);
-  scene.particles.set_kernel(kernel);
-  return scene;
-}
-
-}  // namespace
-
 template <int Dim>
 std::optional<double> covariance(SchemeInfo const& scheme, Kernel const& kernel) {
-  RandomScene<Dim> const scene = scene_with<Dim>(kernel, 11);
+  RandomScene<Dim> const scene = random_scene<Dim>(kernel, 11);
   Random random(1);
   Rates<Dim> const before = evaluate(scene, scheme.id);
   double worst = 0.0;
@@ -38,12 +25,12 @@ std::optional<double> covariance(SchemeInfo const& scheme, Kernel const& kernel)
 
 template <int Dim>
 std::optional<double> numbering(SchemeInfo const& scheme, Kernel const& kernel) {
-  RandomScene<Dim> const scene = scene_with<Dim>(kernel, 14);
+  RandomScene<Dim> const scene = random_scene<Dim>(kernel, 14);
   RandomScene<Dim> reversed = scene;
   for (FieldInfo const& field : field_infos) {
     if (!all_fields.contains(field.field)) continue;
-    for (std::size_t i = 0; i < count; ++i) {
-      std::size_t const j = count - 1 - i;
+    for (std::size_t i = 0; i < usual_count; ++i) {
+      std::size_t const j = usual_count - 1 - i;
       if (field.is_vector) {
         reversed.particles.vector(field.field).set(i, scene.particles.vector(field.field)[j]);
       } else {
@@ -60,10 +47,10 @@ std::optional<double> numbering(SchemeInfo const& scheme, Kernel const& kernel) 
 template <int Dim>
 std::optional<double> boost(SchemeInfo const& scheme, Kernel const& kernel) {
   if (!fields_read(scheme).contains(Field::velocity)) return std::nullopt;
-  RandomScene<Dim> const scene = scene_with<Dim>(kernel, 15);
+  RandomScene<Dim> const scene = random_scene<Dim>(kernel, 15);
   Vector<Dim> const u = Random(1).vector<Dim>(0.5, 2.0);
   RandomScene<Dim> faster = scene;
-  for (std::size_t i = 0; i < count; ++i) faster.particles.vector(Field::velocity).add(i, u);
+  for (std::size_t i = 0; i < usual_count; ++i) faster.particles.vector(Field::velocity).add(i, u);
   for (Wall<Dim>& wall : faster.walls) {
     wall.velocity = [old = wall.velocity, u](Vector<Dim> const& x, double t) -> Vector<Dim> { return old(x, t) + u; };
   }

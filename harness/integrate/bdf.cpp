@@ -17,7 +17,7 @@ struct DestroyCvode {
   void operator()(void* memory) const { CVodeFree(&memory); }
 };
 
-int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
+int cvode_rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
   int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
     system.rate(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dydt));
   });
@@ -84,7 +84,7 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
   std::unique_ptr<void, DestroyCvode> const solver(CVodeCreate(CV_BDF, context));
   if (!solver) throw std::bad_alloc();
   void* const cvode = solver.get();
-  require_sundials(CVodeInit(cvode, rate, 0.0, state.get()), "CVodeInit");
+  require_sundials(CVodeInit(cvode, cvode_rate, 0.0, state.get()), "CVodeInit");
   require_sundials(CVodeSetUserData(cvode, &data), "CVodeSetUserData");
   require_sundials(CVodeSStolerances(cvode, tolerances.relative, tolerances.absolute), "CVodeSStolerances");
   require_sundials(CVodeSetStopTime(cvode, final_time), "CVodeSetStopTime");

@@ -25,7 +25,7 @@ struct DestroyArk {
 // Quadratures follow the unknowns in one vector. They are the explicit part: nothing depends on them, and
 // both parts weigh their stages alike, so that what is linear closes to round-off.
 
-int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
+int implicit_rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
   int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
     double* const out = N_VGetArrayPointer(dydt);
     system.rate(t, N_VGetArrayPointer(y), out);
@@ -65,7 +65,7 @@ OdeResult integrate_implicit_runge_kutta(OdeSystem const& system, std::vector<do
   y.resize(system.size + system.quadratures, 0.0);
   VectorHandle const state = wrap(y.size(), y.data(), context);
   std::unique_ptr<void, DestroyArk> const solver(
-      ARKStepCreate(system.quadratures > 0 ? quadrature : nullptr, rate, 0.0, state.get(), context));
+      ARKStepCreate(system.quadratures > 0 ? quadrature : nullptr, implicit_rate, 0.0, state.get(), context));
   if (!solver) throw std::bad_alloc();
   void* const ark = solver.get();
   require_sundials(ARKStepSetUserData(ark, &data), "ARKStepSetUserData");

@@ -17,7 +17,7 @@ struct DestroyErk {
 constexpr std::uint64_t steps_to_judge = 1000;
 
 /// Quadratures follow the unknowns in one vector; nothing depends on them.
-int rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
+int explicit_rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
   int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
     double const* const values = N_VGetArrayPointer(y);
     double* const out = N_VGetArrayPointer(dydt);
@@ -37,7 +37,7 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
   y.resize(system.size + system.quadratures, 0.0);
   VectorHandle const state = wrap(y.size(), y.data(), context);
 
-  std::unique_ptr<void, DestroyErk> const solver(ERKStepCreate(rate, 0.0, state.get(), context));
+  std::unique_ptr<void, DestroyErk> const solver(ERKStepCreate(explicit_rate, 0.0, state.get(), context));
   if (!solver) throw std::bad_alloc();
   void* const erk = solver.get();
   require_sundials(ERKStepSetUserData(erk, &data), "ERKStepSetUserData");

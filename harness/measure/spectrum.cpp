@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <functional>
@@ -115,6 +114,15 @@ RitzPairs arnoldi(std::function<Eigen::VectorXd(Eigen::VectorXd const&)> const& 
   return pairs;
 }
 
+/// To round-off of the largest: the eigenvalues of [0 A^T; A 0] are they and their negatives. Eigen's decompositions into
+/// singular values take a minute to compile.
+Eigen::VectorXd singular_values(Eigen::MatrixXd const& matrix) {
+  Eigen::Index const n = matrix.rows();
+  Eigen::MatrixXd both = Eigen::MatrixXd::Zero(2 * n, 2 * n);
+  both.bottomLeftCorner(n, n) = matrix;
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(both, Eigen::EigenvaluesOnly).eigenvalues().tail(n);
+}
+
 }  // namespace
 
 Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error) {
@@ -127,8 +135,9 @@ Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error) {
     return found;
   }
   found.complete = true;
-  auto const sizes = Eigen::BDCSVD<Eigen::MatrixXd>(matrix).singularValues();
-  double const zero = 1e-12 * static_cast<double>(matrix.rows()) * sizes[0];
+  Eigen::VectorXd const sizes = singular_values(matrix);
+  double const largest = sizes.maxCoeff();
+  double const zero = 1e-12 * static_cast<double>(matrix.rows()) * largest;
   found.unseen_modes = static_cast<std::uint64_t>(
       std::count_if(sizes.begin(), sizes.end(), [&](double s) { return s <= zero; }));
   Eigen::EigenSolver<Eigen::MatrixXd> const solver(matrix, true);
@@ -146,7 +155,7 @@ Spectrum dense_spectrum(Eigen::MatrixXd const& matrix, double matrix_error) {
     double const change = coinciding * (rounding + matrix_error) * matrix.norm();
     double const moved = inverse.row(k).norm() * vectors.col(k).norm() * change;
     // A defective matrix may have no inverse at all; no eigenvalue is larger than the largest singular value.
-    found.uncertainty.push_back(moved < sizes[0] ? moved : sizes[0]);
+    found.uncertainty.push_back(moved < largest ? moved : largest);
     found.modes.emplace_back(vectors.col(k));
   }
   put_growing_first(found);

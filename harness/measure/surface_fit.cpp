@@ -69,7 +69,7 @@ struct Places {
 };
 
 /// Data and model as the minimiser sees them.
-struct Problem {
+struct LeastSquares {
   struct Point {
     double log_ratio, log_spacing, log_error;
     std::size_t column;
@@ -81,7 +81,7 @@ struct Problem {
   std::vector<double> ratios;  ///< by column
   double unit = 0.0;
 
-  Problem(std::vector<SurfaceDatum> const& data, SurfaceModel const& m, std::size_t columns)
+  LeastSquares(std::vector<SurfaceDatum> const& data, SurfaceModel const& m, std::size_t columns)
       : model(m), places(m, columns), ratios(columns, 0.0) {
     unit = std::numeric_limits<double>::infinity();
     for (SurfaceDatum const& datum : data) unit = std::min(unit, datum.spacing);
@@ -144,7 +144,7 @@ struct Problem {
   }
 
   static int residuals(gsl_vector const* theta, void* self, gsl_vector* f) {
-    auto const& problem = *static_cast<Problem const*>(self);
+    auto const& problem = *static_cast<LeastSquares const*>(self);
     std::size_t const n = problem.points.size();
     for (std::size_t k = 0; k < n; ++k) {
       double const r = problem.log_law(theta->data, problem.points[k], nullptr) - problem.points[k].log_error;
@@ -157,7 +157,7 @@ struct Problem {
   }
 
   static int derivatives(gsl_vector const* theta, void* self, gsl_matrix* j) {
-    auto const& problem = *static_cast<Problem const*>(self);
+    auto const& problem = *static_cast<LeastSquares const*>(self);
     std::size_t const n = problem.points.size();
     for (std::size_t k = 0; k < n; ++k)
       problem.log_law(theta->data, problem.points[k], gsl_matrix_ptr(j, k, 0));
@@ -190,12 +190,12 @@ class QuietGsl {
 };
 
 /// The minimum of the robust loss from one start; false where it leads nowhere.
-bool minimise(Problem& problem, double threshold, std::vector<double>& theta) {
+bool minimise(LeastSquares& problem, double threshold, std::vector<double>& theta) {
   std::size_t const n = problem.points.size() + problem.places.count;
   std::size_t const k = problem.places.count;
   gsl_multifit_nlinear_fdf function{};
-  function.f = &Problem::residuals;
-  function.df = &Problem::derivatives;
+  function.f = &LeastSquares::residuals;
+  function.df = &LeastSquares::derivatives;
   function.n = n;
   function.p = k;
   function.params = &problem;
@@ -233,7 +233,7 @@ bool minimise(Problem& problem, double threshold, std::vector<double>& theta) {
   return true;
 }
 
-SurfaceLaw law_of(Problem const& problem, std::vector<double> const& theta) {
+SurfaceLaw law_of(LeastSquares const& problem, std::vector<double> const& theta) {
   SurfaceModel const& model = problem.model;
   Places const& at = problem.places;
   SurfaceLaw law;
@@ -261,18 +261,18 @@ SurfaceLaw law_of(Problem const& problem, std::vector<double> const& theta) {
 
 /// Starts from which the terms are told apart: the smoothing error is looked for at the largest h, the
 /// sampling error at the smallest h/dx (or in each column where it is least).
-std::vector<std::vector<double>> starts_of(Problem const& problem) {
+std::vector<std::vector<double>> starts_of(LeastSquares const& problem) {
   auto const widest = std::max_element(problem.points.begin(), problem.points.end(),
-                                       [](Problem::Point const& a, Problem::Point const& b) {
+                                       [](LeastSquares::Point const& a, LeastSquares::Point const& b) {
                                          return a.log_ratio + a.log_spacing < b.log_ratio + b.log_spacing;
                                        });
   auto const narrowest = std::min_element(
-      problem.points.begin(), problem.points.end(), [](Problem::Point const& a, Problem::Point const& b) {
+      problem.points.begin(), problem.points.end(), [](LeastSquares::Point const& a, LeastSquares::Point const& b) {
         return a.log_ratio - 1e-3 * a.log_error < b.log_ratio - 1e-3 * b.log_error;
       });
   std::vector<double> least(problem.ratios.size(), std::numeric_limits<double>::infinity());
   double lowest = std::numeric_limits<double>::infinity();
-  for (Problem::Point const& point : problem.points) {
+  for (LeastSquares::Point const& point : problem.points) {
     least[point.column] = std::min(least[point.column], point.log_error);
     lowest = std::min(lowest, point.log_error);
   }
@@ -330,7 +330,7 @@ double scale_of(std::vector<double> residuals) {
 
 std::optional<SurfaceFit> fit_surface(std::vector<SurfaceDatum> const& data, SurfaceModel const& model,
                                       HuberThreshold threshold, std::vector<double> const& start) {
-  Problem problem(data, model, columns_of(data));
+  LeastSquares problem(data, model, columns_of(data));
   double const n = static_cast<double>(data.size());
   double const k = static_cast<double>(problem.places.count) + 1.0;  // and the scatter
   if (n - k - 1.0 < 2.0) return std::nullopt;
@@ -343,7 +343,7 @@ std::optional<SurfaceFit> fit_surface(std::vector<SurfaceDatum> const& data, Sur
     SurfaceFit fit;
     fit.parameters = theta;
     double sum = 0.0;
-    for (Problem::Point const& point : problem.points) {
+    for (LeastSquares::Point const& point : problem.points) {
       double const r = point.log_error - problem.log_law(theta.data(), point, nullptr);
       fit.residuals.push_back(r);
       fit.loss += huber(r, threshold.value);

@@ -3,21 +3,18 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "harness/measure/mode_shape.hpp"
 #include "harness/measure/norms.hpp"
-#include "harness/measure/second_law.hpp"
 #include "harness/measure/spectrum.hpp"
 #include "harness/measure/stable_step.hpp"
-#include "harness/run/clock.hpp"
 #include "harness/run/compared.hpp"
+#include "harness/run/conduction_integration.hpp"
 #include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
-#include "harness/run/frozen_conduction.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
@@ -27,108 +24,7 @@ namespace {
 /// Relative tolerances from loose to tight; absolute ones are the same part of the temperature scale.
 constexpr std::array<double, 5> tolerance_ladder{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 constexpr double largest_time_error_share = 0.01;
-/// A solution that has grown to this many times the temperatures of the problem is lost.
-constexpr double unstable_growth = 100.0;
 constexpr double watch_tolerance = 1e-9;
-
-/// Largest temperature of the exact solution at the ends of the run, walls included, where it is finite.
-template <int Dim>
-double temperature_scale(Problem<Dim> const& problem) {
-  auto const& exact = problem.scalars.at(Field::temperature);
-  VectorField<Dim> const samples = lattice(problem.domain, Dim == 1 ? 256 : 32).positions;
-  double largest = 0.0;
-  auto const include = [&](double temperature) {
-    if (std::isfinite(temperature)) largest = std::max(largest, std::abs(temperature));
-  };
-  for (double const t : {0.0, problem.final_time}) {
-    for (std::size_t i = 0; i < samples.size(); ++i) include(exact(samples[i], t));
-    for (Wall<Dim> const& wall : problem.walls) {
-      if (wall.temperature) include(wall.temperature(wall.point, t));
-    }
-  }
-  return largest > 0.0 ? largest : 1.0;
-}
-
-template <int Dim>
-double energy_of(Particles<Dim> const& particles, double const* temperature) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) sum += particles.masses()[i] * temperature[i];
-  return sum;
-}
-
-/// A run from set-up to its end, whoever asks for it.
-template <int Dim>
-class ConductionIntegration {
- public:
-  ConductionIntegration(Problem<Dim> const& problem, RunOptions const& options, RunRecord& record,
-                        double scale, double spent_seconds)
-      : problem_(problem), options_(options), record_(record), scale_(scale), spent_before_(spent_seconds) {}
-
-  /// Integrates at one tolerance; empty, with the record's status set, if the run broke.
-  std::optional<OdeResult> integrate(FrozenConduction<Dim>& conduction, double tolerance,
-                                     bool with_quadratures) {
-    history_ = History{};
-    Particles<Dim> const& particles = conduction.scene().particles();
-    std::size_t const givers = problem_.walls.size() + 1;
-    std::string status;
-    auto const monitor = [&](double t, double const* T, double const*) -> std::string {
-      if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      double largest = 0.0;
-      for (std::size_t i = 0; i < particles.size(); ++i) {
-        if (!std::isfinite(T[i])) {
-          status = "non-finite";
-          return fmt::format("temperature of particle {} is not finite at t = {:.6g}", i, t);
-        }
-        largest = std::max(largest, std::abs(T[i]));
-      }
-      if (largest > unstable_growth * scale_) {
-        status = "unstable";
-        return fmt::format("temperature grew to {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}",
-                           largest, unstable_growth, scale_, t);
-      }
-      if (options_.time_budget > 0.0 && spent() > options_.time_budget) {
-        status = "timed-out";
-        return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
-      }
-      return "";
-    };
-    bool const with_history = with_quadratures && options_.measure.contains(Measure::history);
-    auto const sample = [&](double t, double const* T, double const* q) {
-      if (watch_) watch_->observe(t, T);
-      if (!with_history) return;
-      history_.time.push_back(t);
-      history_.energy.push_back(energy_of(particles, T));
-      history_.exchanged.push_back(std::accumulate(q, q + givers, 0.0));
-    };
-    typename FrozenConduction<Dim>::Sample const looks =
-        watch_ || with_history ? sample : typename FrozenConduction<Dim>::Sample{};
-    OdeResult result =
-        conduction.integrate(record_.discretisation.integrator, problem_.final_time,
-                             {tolerance, tolerance * scale_}, with_quadratures, monitor, looks);
-    if (result.outcome == OdeOutcome::finished) return result;
-    record_.reason = result.reason;
-    if (result.outcome == OdeOutcome::stopped) {
-      record_.status = status;
-    } else {
-      record_.status = result.outcome == OdeOutcome::not_finite ? "non-finite" : "unstable";
-      record_.reason += fmt::format(" at t = {:.6g}", result.time);
-    }
-    return std::nullopt;
-  }
-
- protected:
-  /// Of the time budget.
-  double spent() const { return spent_before_ + clock_.seconds(); }
-
-  Problem<Dim> const& problem_;
-  RunOptions const& options_;
-  RunRecord& record_;
-  double scale_;
-  double spent_before_;
-  Clock clock_;
-  History history_;
-  std::optional<SecondLawWatch<Dim>> watch_;
-};
 
 template <int Dim>
 class ConductionRun : ConductionIntegration<Dim> {

@@ -5,17 +5,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <optional>
 
 #include "harness/measure/norms.hpp"
-#include "harness/run/clock.hpp"
 #include "harness/run/compared.hpp"
 #include "harness/run/error_context.hpp"
 #include "harness/run/exact_fields.hpp"
 #include "harness/run/gas_stability.hpp"
 #include "harness/run/measure_moving.hpp"
-#include "harness/run/moving_gas.hpp"
+#include "harness/run/moving_integration.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
@@ -26,33 +24,11 @@ namespace {
 constexpr std::array<double, 2> courant_ladder{1.0, 0.5};
 constexpr std::array<double, 4> tolerance_ladder{1e-4, 1e-6, 1e-8, 1e-10};
 constexpr double largest_time_error_share = 0.01;
-/// A gas that moves, or has heated, this many times faster or hotter than the problem ever does, is lost.
-constexpr double unstable_speed = 100.0;
-constexpr double unstable_energy = 1e4;
-
-/// The particles as a run left them: what its errors are taken of.
-template <int Dim>
-struct FinalState {
-  std::unique_ptr<MovingGas<Dim>> gas;
-  GasBudgets<Dim> budgets;
-  std::uint64_t steps = 0;
-  double lowest_density = std::numeric_limits<double>::infinity();
-  double lowest_pressure = std::numeric_limits<double>::infinity();
-  History history;
-  Cost cost;
-};
 
 template <int Dim>
-class MovingRun {
+class MovingRun : MovingIntegration<Dim> {
  public:
-  MovingRun(Problem<Dim> const& problem, SceneChoice const& choice, RunOptions const& options,
-            MeasuredRun& run)
-      : problem_(problem),
-        choice_(choice),
-        options_(options),
-        run_(run),
-        record_(run.record),
-        spent_before_(run.spent_seconds) {}
+  using MovingIntegration<Dim>::MovingIntegration;
 
   void run() {
     if (asks_for_stability()) measure_stability();
@@ -69,9 +45,6 @@ class MovingRun {
   }
 
  private:
-  /// Of the time budget.
-  double spent() const { return spent_before_ + clock_.seconds(); }
-
   double accepted_rung() const {
     return is_leapfrog() ? *record_.integration->courant_factor : *record_.integration->relative_tolerance;
   }
@@ -95,105 +68,6 @@ class MovingRun {
     if (!options_.measure.contains(Measure::spectrum)) return;
     for (Mode const& mode : record_.stability->modes)
       record_.spectrum.push_back({mode.growth, mode.frequency});
-  }
-
-  std::string const& method() const { return record_.discretisation.integrator; }
-  bool is_leapfrog() const { return method() == "leapfrog"; }
-
-  /// One run at a rung of the ladder; empty, with the record's status set, if it broke.
-  std::optional<FinalState<Dim>> integrate(SceneChoice const& choice, double rung) {
-    FinalState<Dim> state;
-    Clock const clock;
-    state.gas = std::make_unique<MovingGas<Dim>>(problem_, choice, is_leapfrog() ? rung : 1.0);
-    double const setup = clock.seconds();
-    MovingScene<Dim>& scene = state.gas->scene();
-    std::vector<double> const scales = scene.scales();
-    double const speed = scales[scene.coordinates()];
-    double const energy = scales[2 * scene.coordinates()];
-    std::string status = "unstable";
-    auto const monitor = [&](double t, GasBudgets<Dim> const& budgets) -> std::string {
-      if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      if (options_.time_budget > 0.0 && spent() > options_.time_budget) {
-        status = "timed-out";
-        return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
-      }
-      auto const& particles = scene.particles();
-      for (std::size_t i = 0; i < particles.size(); ++i) {
-        state.lowest_density = smaller(state.lowest_density, particles.scalar(Field::density)[i]);
-        state.lowest_pressure = smaller(state.lowest_pressure, particles.scalar(Field::pressure)[i]);
-        double const v = particles.vector(Field::velocity)[i].norm();
-        double const e = std::abs(particles.scalar(Field::internal_energy)[i]);
-        if (!std::isfinite(v)) {
-          status = "non-finite";
-          return fmt::format("velocity of particle {} is not finite at t = {:.6g}", i, t);
-        }
-        if (v > unstable_speed * speed) {
-          return fmt::format("particle {} moves at {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i,
-                             v, unstable_speed, speed, t);
-        }
-        if (e > unstable_energy * energy) {
-          return fmt::format(
-              "particle {} has internal energy {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i, e,
-              unstable_energy, energy, t);
-        }
-      }
-      if (options_.measure.contains(Measure::history)) keep_history(t, scene, budgets, state.history);
-      return "";
-    };
-    OdeResult result;
-    try {
-      bool const at_step_ends = options_.measure.contains(Measure::history);
-      result = state.gas->integrate(method(), {rung, rung}, monitor, at_step_ends);
-    } catch (BrokenRun const& broken) {
-      return give_up(state, broken.status(), broken.what());
-    }
-    std::string const when = fmt::format(" at t = {:.6g}", result.time);
-    if (result.outcome == OdeOutcome::out_of_steps) return give_up(state, "timed-out", result.reason + when);
-    if (result.outcome == OdeOutcome::not_finite)
-      return give_up(state, "non-finite", result.reason + when + collision(state));
-    if (result.outcome == OdeOutcome::failed) {
-      return give_up(state, "unstable", result.reason + when + collision(state));
-    }
-    if (result.outcome == OdeOutcome::stopped) return give_up(state, status, result.reason);
-    state.steps = result.steps;
-    state.budgets = state.gas->budgets(result.quadratures.data());
-    state.cost = {.seconds = clock.seconds(),
-                  .cpu_seconds = options_.threads == 1 ? Number(clock.cpu_seconds()) : std::nullopt,
-                  .setup_seconds = setup,
-                  .steps = result.steps,
-                  .rate_evaluations = scene.work().evaluations,
-                  .pair_interactions = scene.work().pair_interactions,
-                  .peak_bytes = scene.bytes()};
-    return state;
-  }
-
-  /// A step that collapses is most often about to let particles collide: says which.
-  std::string collision(FinalState<Dim> const& state) const {
-    std::string const who = state.gas->scene().closest_approach();
-    return who.empty() ? "" : "; closest to colliding: " + who;
-  }
-
-  std::nullopt_t give_up(FinalState<Dim> const& state, std::string const& status, std::string const& reason) {
-    record_.status = status;
-    record_.reason = reason;
-    record_.scene = state.gas->scene().record();
-    record_.motion = motion_of(state);
-    return std::nullopt;
-  }
-
-  void keep_history(double t, MovingScene<Dim> const& scene, GasBudgets<Dim> const& budgets,
-                    History& history) {
-    history.time.push_back(t);
-    history.energy.push_back(scene.energy());
-    history.momentum.push_back(scene.momentum()[0]);
-    history.exchanged.push_back(budgets.exchanged_energy());
-    history.wall_impulse_defect.resize(budgets.walls.size());
-    history.wall_energy_defect.resize(budgets.walls.size());
-    for (std::size_t w = 0; w < budgets.walls.size(); ++w) {
-      WallExchange<Dim> const& wall = budgets.walls[w];
-      history.wall_impulse_defect[w].push_back(wall.force[0] - wall.prescribed_force[0]);
-      history.wall_energy_defect[w].push_back(wall.power - wall.prescribed_power);
-    }
   }
 
   std::vector<Field> scalar_fields() const {
@@ -290,18 +164,6 @@ class MovingRun {
     return looser;
   }
 
-  Motion motion_of(FinalState<Dim> const& state) const {
-    Motion motion;
-    motion.steps_bound_by = state.gas->steps_bound_by();
-    if (is_leapfrog() && state.gas->largest_step() > 0.0) {
-      motion.smallest_step = state.gas->smallest_step();
-      motion.largest_step = state.gas->largest_step();
-    }
-    if (std::isfinite(state.lowest_density)) motion.lowest_density = state.lowest_density;
-    if (std::isfinite(state.lowest_pressure)) motion.lowest_pressure = state.lowest_pressure;
-    return motion;
-  }
-
   void measure(FinalState<Dim> const& state) {
     MovingScene<Dim> const& scene = state.gas->scene();
     record_.scene = scene.record();
@@ -388,13 +250,16 @@ class MovingRun {
     run_.awaits_timing = !once_is_enough;
   }
 
-  Problem<Dim> const& problem_;
-  SceneChoice const& choice_;
-  RunOptions const& options_;
-  MeasuredRun& run_;
-  RunRecord& record_;
-  double spent_before_;
-  Clock clock_;
+  using Base = MovingIntegration<Dim>;
+  using Base::choice_;
+  using Base::integrate;
+  using Base::is_leapfrog;
+  using Base::method;
+  using Base::options_;
+  using Base::problem_;
+  using Base::record_;
+  using Base::run_;
+  using Base::spent;
 };
 
 }  // namespace

@@ -173,6 +173,28 @@ class TheirClaims(PluginTest):
         claims = self.claims(self.in_fortran, program.DONE)
         self.assertTrue(claims["pairs conserve energy"]["claimed"])
 
+    def test_each_question_can_be_answered_with_no(self):
+        work = "d->rate = SPHVERIFY_INTERNAL_WORK; d->reads = SPHVERIFY_VELOCITY;"
+        counts = "d->wants_neighbours = 1; d->reads = SPHVERIFY_TEMPERATURE;"
+        for number, (claim, rate, describe) in enumerate((
+                ("the order of the particles does not matter", "(double)i", None),
+                ("moving, turning and mirroring all changes nothing", "s->position[0][i]", None),
+                ("a uniform state is steady on a lattice", "s->temperature[i]", None),
+                ("linear fields: the derivative times the lattice's factor", "0.0", None),
+                ("continuous where a neighbour leaves the support", "(double)(s->first[i + 1] - s->first[i])", counts),
+                ("a common velocity changes nothing", "s->velocity[0][i]", work))):
+            changes = {"rate": f"r->pairs[0][i] = {rate}"}
+            if describe:
+                changes["describe"] = describe
+            found = self.claims(self.changed(f"wrong{number}", **changes), program.GATE_FAILED)[claim]
+            self.assertTrue(found["claimed"], claim)
+            self.assertFalse(found["holds"], claim)
+
+    def test_what_cannot_be_looked_at_is_not_kept(self):
+        for name, change in (("refuses", {"rates": "return 7;"}), ("nan", {"rate": "r->pairs[0][i] = sqrt(-1.0)"})):
+            claims = self.claims(self.changed(name, **change), program.GATE_FAILED)
+            self.assertFalse(any(one["holds"] for one in claims.values() if one["claim"] != "particles gain what the walls give"))
+
     def test_one_that_claims_too_much_fails_by_name(self):
         library = self.changed("liar", describe="d->reads = SPHVERIFY_TEMPERATURE; d->conserves = SPHVERIFY_CONSERVES_ENERGY;",
                                rate="r->pairs[0][i] = s->temperature[i]")
@@ -248,8 +270,11 @@ class WhatIsWrong(PluginTest):
             self.assertEqual(len(runs), 2)
 
     def test_a_form_that_reads_what_a_case_does_not_have_is_skipped_with_the_reason(self):
-        for number, (bits, word) in enumerate((("SPHVERIFY_SOUND_SPEED", "sound_speed"), ("SPHVERIFY_PRESSURE", "pressure"))):
-            library = self.changed(f"curious{number}", describe=f"d->reads = {bits};")
+        for number, (slip, word) in enumerate((("d->reads = SPHVERIFY_SOUND_SPEED;", "sound_speed"),
+                                               ("d->reads = SPHVERIFY_PRESSURE;", "pressure"),
+                                               # A wall that does not prescribe it has it of the particles.
+                                               ("d->reads_at_walls = SPHVERIFY_VELOCITY;", "velocity"))):
+            library = self.changed(f"curious{number}", describe=slip)
             study = self.slab(["conduction/brookshaw", {"id": "plugin/constant", "library": str(library)}])
             results = strict_json(self.succeed("study", study))
             self.assertEqual({r["formulation"] for r in results["runs"]}, {"conduction/brookshaw"})
@@ -278,6 +303,17 @@ class WhatIsWrong(PluginTest):
             self.assertEqual(done.returncode, 3, done.stderr)
             self.assertIn("plugin/constant", done.stderr.splitlines()[-1])
             self.assertIn("crashed: segmentation fault", done.stderr.splitlines()[-1])
+
+    def test_a_study_goes_on_with_the_same_plug_in(self):
+        library = self.changed("moody", rates='if (s->count == 40 && getenv("MOODY")) abort(); return 0;')
+        target = self.folder / "moody.json"
+        study = self.slab([{"id": "plugin/constant", "library": str(library)}])
+        done = self.run_program("study", study, "-o", target, "--jobs", "1", env={**program.environment(), "MOODY": "1"})
+        self.assertEqual(done.returncode, 3, done.stderr)
+        done = self.run_program("study", study, "-o", target, "--resume")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 of them done before", done.stderr)
+        self.assertEqual([r["status"] for r in strict_json(target.read_text())["runs"]], ["ok", "ok"])
 
     def test_a_study_is_not_gone_on_with_after_the_plug_in_has_changed(self):
         # The first of these crashes: a journal is left.

@@ -710,6 +710,7 @@ class HandmadeSweep {
     }
     plan_.wants_separation = true;
     plan_.wants_radial = true;
+    plan_.wants_value = true;
   }
 
   /// @param fused null for the general loop, which takes most_terms at a time

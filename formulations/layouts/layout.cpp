@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "formulations/basics/expects.hpp"
 #include "formulations/layouts/layout_common.hpp"
@@ -213,6 +214,18 @@ Layout<1> equal_mass(Domain<1> const& domain, int resolution, std::function<doub
   return layout;
 }
 
+template <int Dim>
+void reorder(Layout<Dim>& layout, std::vector<std::uint32_t> const& order) {
+  expects(order.size() == layout.volumes.size());
+  auto const sort = [&order](std::vector<double>& values) {
+    std::vector<double> sorted(order.size());
+    for (std::size_t n = 0; n < order.size(); ++n) sorted[n] = values[order[n]];
+    values = std::move(sorted);
+  };
+  for (int k = 0; k < Dim; ++k) sort(layout.positions.component(k));
+  sort(layout.volumes);
+}
+
 template double lattice_count(Domain<1> const&, int);
 template double lattice_count(Domain<2> const&, int);
 template double lattice_count(Domain<3> const&, int);
@@ -222,5 +235,8 @@ template Layout<3> lattice(Domain<3> const&, int);
 template Layout<1> jittered(Domain<1> const&, int, double, std::uint64_t);
 template Layout<2> jittered(Domain<2> const&, int, double, std::uint64_t);
 template Layout<3> jittered(Domain<3> const&, int, double, std::uint64_t);
+template void reorder(Layout<1>&, std::vector<std::uint32_t> const&);
+template void reorder(Layout<2>&, std::vector<std::uint32_t> const&);
+template void reorder(Layout<3>&, std::vector<std::uint32_t> const&);
 
 }  // namespace sphverify

@@ -20,6 +20,10 @@ struct Layout {
   std::vector<double> edges{};  ///< in 1D, of the particles' own cells: one more than particles [m]
 };
 
+/// Puts particle order[n] at place n. Expects a permutation.
+template <int Dim>
+void reorder(Layout<Dim>& layout, std::vector<std::uint32_t> const& order);
+
 // Every layout has a `resolution` N, and particles of about the volume of a cube with the edge extent[0]/N.
 // For `lattice`, those displaced from it and `equal_mass` the spacing is extent[0]/N; for the others it is
 // the edge of the cube that has one particle's volume, so that one ratio h/dx means the same number of

@@ -55,23 +55,8 @@ std::vector<std::uint32_t> locality_order(VectorField<Dim> const& positions, Dom
   return order;
 }
 
-template <int Dim>
-void reorder(Layout<Dim>& layout, std::vector<std::uint32_t> const& order) {
-  expects(order.size() == layout.volumes.size());
-  auto const sort = [&order](std::vector<double>& values) {
-    std::vector<double> sorted(order.size());
-    for (std::size_t n = 0; n < order.size(); ++n) sorted[n] = values[order[n]];
-    values = std::move(sorted);
-  };
-  for (int k = 0; k < Dim; ++k) sort(layout.positions.component(k));
-  sort(layout.volumes);
-}
-
 template std::vector<std::uint32_t> locality_order(VectorField<1> const&, Domain<1> const&, double);
 template std::vector<std::uint32_t> locality_order(VectorField<2> const&, Domain<2> const&, double);
 template std::vector<std::uint32_t> locality_order(VectorField<3> const&, Domain<3> const&, double);
-template void reorder(Layout<1>&, std::vector<std::uint32_t> const&);
-template void reorder(Layout<2>&, std::vector<std::uint32_t> const&);
-template void reorder(Layout<3>&, std::vector<std::uint32_t> const&);
 
 }  // namespace sphverify

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "formulations/layouts/layout.hpp"
+#include "formulations/particles/domain.hpp"
+#include "formulations/particles/particles.hpp"
 
 namespace sphverify {
 
@@ -15,9 +16,5 @@ namespace sphverify {
 template <int Dim>
 std::vector<std::uint32_t> locality_order(VectorField<Dim> const& positions, Domain<Dim> const& domain,
                                           double cell);
-
-/// Puts particle order[n] at place n. Expects a permutation.
-template <int Dim>
-void reorder(Layout<Dim>& layout, std::vector<std::uint32_t> const& order);
 
 }  // namespace sphverify

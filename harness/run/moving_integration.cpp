@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "reports/extremes.hpp"
+
 namespace sphverify {
 
 namespace {

@@ -131,7 +131,7 @@ class Compare(ProgramTest):
             cases=["hydro/piston-velocity", "hydro/piston-pressure", "hydro/noh", "coupled/hot-wall", *cases],
             formulations=forms,
             discretisation={"density": ["continuity", "normalised"], "closure": ["interpolated", "one-sided"]},
-            resolution=[10, 15, 20],
+            resolution=[8, 10, 12],
         )
         self.study(study, "gas.json")
         text = self.succeed("compare", "gas.json", "--section", "summary")

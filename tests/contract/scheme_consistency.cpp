@@ -40,23 +40,6 @@ double factor(RandomScene<Dim> const& scene) {
   return sum;
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(uniform_state_is_steady_in_the_interior, D, Dimensions) {
-  constexpr int Dim = D::value;
-  for (double const ratio : ratios) {
-    RandomScene<Dim> scene = lattice<Dim>(ratio);
-    Vector<Dim> const velocity = Random(1).vector<Dim>(-1.0, 1.0);
-    for (std::size_t i = 0; i < scene.particles.size(); ++i)
-      scene.particles.vector(Field::velocity).set(i, velocity);
-    for (SchemeInfo const* scheme : all_scheme_infos()) {
-      Rates<Dim> const rates = evaluate(scene, scheme->id);
-      double const found = scheme->rate == Rate::acceleration ? rates.acceleration[centre(scene)].norm()
-                                                              : std::abs(rates.heating[centre(scene)]);
-      double const scale = std::max(1.0, largest(rates.numbers()));
-      BOOST_TEST(found < 1e-12 * scale, scheme->id << " at h/dx = " << ratio);
-    }
-  }
-}
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(linear_fields_give_their_derivative_times_the_lattices_own_factor, D,
                               Dimensions) {
   constexpr int Dim = D::value;

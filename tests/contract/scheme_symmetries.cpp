@@ -59,30 +59,6 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(mirroring_everything_mirrors_the_rates, D, Dimensi
   check_covariance<Dim>(random.reflection<Dim>(), random.vector<Dim>(-1.0, 1.0));
 }
 
-BOOST_AUTO_TEST_CASE_TEMPLATE(order_of_the_particles_does_not_matter, D, Dimensions) {
-  constexpr int Dim = D::value;
-  RandomScene<Dim> const scene = random_scene<Dim>(14, count);
-  RandomScene<Dim> reversed = scene;
-  for (FieldInfo const& field : field_infos) {
-    if (!scene.particles.has(field.field)) continue;
-    for (std::size_t i = 0; i < count; ++i) {
-      std::size_t const j = count - 1 - i;
-      if (field.is_vector) {
-        reversed.particles.vector(field.field).set(i, scene.particles.vector(field.field)[j]);
-      } else {
-        reversed.particles.scalar(field.field)[i] = scene.particles.scalar(field.field)[j];
-      }
-    }
-  }
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    Rates<Dim> found = evaluate(reversed, scheme->id);
-    std::reverse(found.acceleration.begin(), found.acceleration.end());
-    std::reverse(found.heating.begin(), found.heating.end());
-    BOOST_TEST(relative_difference(found.numbers(), evaluate(scene, scheme->id).numbers()) < round_off,
-               scheme->id);
-  }
-}
-
 template <int Dim>
 RandomScene<Dim> boosted(RandomScene<Dim> scene, Vector<Dim> const& u) {
   for (std::size_t i = 0; i < scene.particles.size(); ++i) scene.particles.vector(Field::velocity).add(i, u);

@@ -57,6 +57,7 @@ RandomScene<Dim> in_units(RandomScene<Dim> const& scene, Units const& u) {
                     .face_weight = scene.face_weight,
                     .closure = scene.closure,
                     .time = u.time * scene.time};
+  scaled.particles.set_kernel(scene.particles.kernel());
   scaled.domain.lower *= u.length;
   scaled.domain.upper *= u.length;
   scaled.particles.allocate(all_fields);
@@ -92,6 +93,20 @@ RandomScene<Dim> in_units(RandomScene<Dim> const& scene, Units const& u) {
     vector(wall.flux, scale<Dim>(Field::flux, u));
   }
   return scaled;
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(rates_scale_with_their_units_with_every_kernel, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Units const units{1.0 / 64.0, 4.0, 16.0, 0.25};
+  for (KernelInfo const& of : all_kernel_infos()) {
+    RandomScene<Dim> const scene = random_scene<Dim>(kernel(of.id, Dim), 2);
+    RandomScene<Dim> const scaled = in_units(scene, units);
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      std::vector<double> expected = evaluate(scene, scheme->id).numbers();
+      for (double& rate : expected) rate *= scale<Dim>(output_field(scheme->rate), units);
+      BOOST_TEST(same_bits(evaluate(scaled, scheme->id).numbers(), expected), scheme->id << ", " << of.id);
+    }
+  }
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(rates_scale_with_their_units_bit_for_bit, D, Dimensions) {

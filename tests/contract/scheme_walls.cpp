@@ -12,17 +12,19 @@ constexpr std::size_t count = 60;
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(without_contacts_the_walls_are_not_felt, D, Dimensions) {
   constexpr int Dim = D::value;
-  RandomScene<Dim> const scene = random_scene<Dim>(1, count);
-  RandomScene<Dim> open = scene;
-  open.walls.clear();
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    Rates<Dim> const control = evaluate(scene, scheme->id, false);
-    BOOST_TEST(same_bits(control.numbers(), evaluate(open, scheme->id).numbers()), scheme->id);
-    BOOST_TEST(control.work.wall_interactions == 0u);
-    BOOST_TEST(control.wall_force.empty());
-    BOOST_TEST(control.wall_power.empty());
-    BOOST_TEST(relative_difference(evaluate(scene, scheme->id).numbers(), control.numbers()) > 1e-2,
-               scheme->id);
+  for (KernelInfo const& of : all_kernel_infos()) {
+    RandomScene<Dim> const scene = random_scene<Dim>(kernel(of.id, Dim), 1);
+    RandomScene<Dim> open = scene;
+    open.walls.clear();
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      Rates<Dim> const control = evaluate(scene, scheme->id, false);
+      BOOST_TEST(same_bits(control.numbers(), evaluate(open, scheme->id).numbers()), scheme->id << ", " << of.id);
+      BOOST_TEST(control.work.wall_interactions == 0u);
+      BOOST_TEST(control.wall_force.empty());
+      BOOST_TEST(control.wall_power.empty());
+      BOOST_TEST(relative_difference(evaluate(scene, scheme->id).numbers(), control.numbers()) > 1e-2,
+                 scheme->id << ", " << of.id);
+    }
   }
 }
 
@@ -43,18 +45,20 @@ std::vector<bool> within_reach_of_walls(RandomScene<Dim> const& scene, bool two_
   return reached;
 }
 
-BOOST_AUTO_TEST_CASE(walls_reach_two_smoothing_lengths_and_four_in_two_passes) {
-  RandomScene<1> const scene = random_scene<1>(1, count);
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    auto const with = evaluate(scene, scheme->id).numbers();
-    auto const without = evaluate(scene, scheme->id, false).numbers();
-    std::vector<bool> const reached = within_reach_of_walls(scene, (pass_count(*scheme) > 1));
-    std::size_t untouched = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      BOOST_TEST((with[i] != without[i]) == reached[i], scheme->id << ", particle " << i);
-      untouched += reached[i] ? 0 : 1;
+BOOST_AUTO_TEST_CASE(walls_reach_as_far_as_the_kernel_and_twice_that_in_two_passes) {
+  for (KernelInfo const& of : all_kernel_infos()) {
+    RandomScene<1> const scene = random_scene<1>(kernel(of.id, 1), 1);
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      auto const with = evaluate(scene, scheme->id).numbers();
+      auto const without = evaluate(scene, scheme->id, false).numbers();
+      std::vector<bool> const reached = within_reach_of_walls(scene, (pass_count(*scheme) > 1));
+      std::size_t untouched = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        BOOST_TEST((with[i] != without[i]) == reached[i], scheme->id << ", " << of.id << ", particle " << i);
+        untouched += reached[i] ? 0 : 1;
+      }
+      BOOST_TEST(untouched > 0u);
     }
-    BOOST_TEST(untouched > 0u);
   }
 }
 
@@ -69,25 +73,27 @@ Rates<Dim> without_contacts(RandomScene<Dim> scene, std::string_view id, std::si
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_each_wall_adds, D, Dimensions) {
   constexpr int Dim = D::value;
-  RandomScene<Dim> const scene = random_scene<Dim>(2, count);
-  for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (pass_count(*scheme) > 1) continue;  // there the walls act through the first pass as well
-    Rates<Dim> const both = evaluate(scene, scheme->id);
-    for (std::size_t w = 0; w < 2; ++w) {
-      Rates<Dim> const other = without_contacts(scene, scheme->id, w);
-      double power = 0.0;
-      Vector<Dim> force = Vector<Dim>::Zero();
-      for (std::size_t i = 0; i < count; ++i) {
-        double const m = scene.particles.masses()[i];
-        if (scheme->rate == Rate::acceleration)
-          force += m * (both.acceleration[i] - other.acceleration[i]);
-        else
-          power += m * (both.heating[i] - other.heating[i]);
-      }
-      if (scheme->rate == Rate::acceleration) {
-        BOOST_TEST((force - both.wall_force[w]).norm() < 1e-11 * largest(both.wall_force), scheme->id);
-      } else {
-        BOOST_TEST(std::abs(power - both.wall_power[w]) < 1e-11 * largest(both.wall_power), scheme->id);
+  for (KernelInfo const& of : all_kernel_infos()) {
+    for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (pass_count(*scheme) > 1) continue;  // there the walls act through the first pass as well
+      RandomScene<Dim> const scene = random_scene<Dim>(kernel(of.id, Dim), 2);
+      Rates<Dim> const both = evaluate(scene, scheme->id);
+      for (std::size_t w = 0; w < 2; ++w) {
+        Rates<Dim> const other = without_contacts(scene, scheme->id, w);
+        double power = 0.0;
+        Vector<Dim> force = Vector<Dim>::Zero();
+        for (std::size_t i = 0; i < count; ++i) {
+          double const m = scene.particles.masses()[i];
+          if (scheme->rate == Rate::acceleration)
+            force += m * (both.acceleration[i] - other.acceleration[i]);
+          else
+            power += m * (both.heating[i] - other.heating[i]);
+        }
+        if (scheme->rate == Rate::acceleration) {
+          BOOST_TEST((force - both.wall_force[w]).norm() < 1e-11 * largest(both.wall_force), scheme->id << ", " << of.id);
+        } else {
+          BOOST_TEST(std::abs(power - both.wall_power[w]) < 1e-11 * largest(both.wall_power), scheme->id << ", " << of.id);
+        }
       }
     }
   }

@@ -2,6 +2,7 @@
 
 import base64
 import copy
+import functools
 import json
 import math
 import pathlib
@@ -636,7 +637,7 @@ class PageTest(BrowserTest):
             self.assertTrue(title.startswith(f"Across {cases} cases" if cases > 1 else "On slab-dirichlet, lattice:"))
             lines = [line.text for line in article.find_elements(By.CSS_SELECTOR, ".sentences li")]
             self.assertEqual(lines, group["sentences"])
-            cells = lambda column: self.cells(title, column)  # noqa: E731, B023
+            cells = functools.cache(lambda column, title=title: self.cells(title, column))
             self.assertEqual(cells("formulation"), [row["name"] for row in rows])
             controls = article.find_elements(By.CSS_SELECTOR, ".controls th[scope=row]")
             self.assertEqual([c.text for c in controls], [row["name"] for row in rows if row["control"]])

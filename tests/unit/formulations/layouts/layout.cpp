@@ -102,4 +102,17 @@ BOOST_AUTO_TEST_CASE(volumes_of_disordered_particles_in_more_dimensions_are_thos
     BOOST_TEST(volume == layout.spacing * layout.spacing, tolerance(1e-13));
 }
 
+BOOST_AUTO_TEST_CASE(reordering_moves_positions_and_volumes_together) {
+  Layout<2> layout;
+  layout.positions = lattice(box<2>(), 2).positions;
+  layout.volumes = {1.0, 2.0, 3.0, 4.0};
+  Layout<2> const before = layout;
+  std::vector<std::uint32_t> const order{2, 0, 3, 1};
+  reorder(layout, order);
+  for (std::size_t n = 0; n < 4; ++n) {
+    BOOST_TEST(layout.volumes[n] == before.volumes[order[n]]);
+    BOOST_TEST((layout.positions[n] - before.positions[order[n]]).norm() == 0.0);
+  }
+}
+
 BOOST_AUTO_TEST_SUITE_END()

@@ -93,17 +93,4 @@ BOOST_AUTO_TEST_CASE(a_position_that_is_no_number_has_a_place_as_well) {
   BOOST_TEST(is_permutation(locality_order(positions, box<2>(), 0.1)));
 }
 
-BOOST_AUTO_TEST_CASE(reordering_moves_positions_and_volumes_together) {
-  Layout<2> layout;
-  layout.positions = random_positions<2>(4, 9);
-  layout.volumes = {1.0, 2.0, 3.0, 4.0};
-  Layout<2> const before = layout;
-  Order const order{2, 0, 3, 1};
-  reorder(layout, order);
-  for (std::size_t n = 0; n < 4; ++n) {
-    BOOST_TEST(layout.volumes[n] == before.volumes[order[n]]);
-    BOOST_TEST((layout.positions[n] - before.positions[order[n]]).norm() == 0.0);
-  }
-}
-
 BOOST_AUTO_TEST_SUITE_END()

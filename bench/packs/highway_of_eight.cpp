@@ -1,0 +1,3 @@
+#include "bench/packs/highway.hpp"
+
+void sphverify::bench::highway_of_eight(PackSample const& sample, double* out) { sweep_rows<Highway<Eight>>(sample, out); }

@@ -1,0 +1,3 @@
+#include "bench/packs/ours.hpp"
+
+void sphverify::bench::ours_of_four(PackSample const& sample, double* out) { sweep_rows<Ours<Four>>(sample, out); }

@@ -1,7 +1,7 @@
 # sphverify_add_program(NAME my-verify SCHEMES "header.hpp:Type"... CASES "header.hpp:Type"... KERNELS "header.hpp:Type"...
 #                       [LINK target...])
 # A program with all commands and all parts of sphverify, and these beside them. Headers are found from the current source
-# directory; types may be qualified (my_space::MyScheme). docs/bring-your-own.md says what a header holds.
+# directory, or by their whole path; types may be qualified (my_space::MyScheme). docs/bring-your-own.md says what a header holds.
 
 # Splits "header.hpp:Type"; the type may hold colons of its own.
 function(sphverify_split_part part kind header type)
@@ -10,8 +10,9 @@ function(sphverify_split_part part kind header type)
   endif()
   set(found "${CMAKE_MATCH_1}")
   set(named "${CMAKE_MATCH_2}")
-  if(NOT EXISTS "${CMAKE_CURRENT_SOURCE_DIR}/${found}")
-    message(FATAL_ERROR "sphverify_add_program: ${kind} \"${part}\": there is no ${CMAKE_CURRENT_SOURCE_DIR}/${found}")
+  cmake_path(ABSOLUTE_PATH found BASE_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE path)
+  if(NOT EXISTS "${path}")
+    message(FATAL_ERROR "sphverify_add_program: ${kind} \"${part}\": there is no ${path}")
   endif()
   set(${header} "${found}" PARENT_SCOPE)
   set(${type} "${named}" PARENT_SCOPE)

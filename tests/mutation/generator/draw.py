@@ -155,7 +155,11 @@ def digest_of(root, name, source, numbers, seed):
 
 def draw(root, build, cache, node, patterns, count, seed, jobs, say):
     """The mutants, what was left out by reason, and how many did not compile."""
-    import compiler
+    try:
+        import compiler
+    except ModuleNotFoundError as missing:
+        raise SystemExit(f"error: Python's {missing.name} is not there: install what tests/mutation/packages.txt names, and start "
+                         "this with /usr/bin/python3") from missing
     rooms = files_of(root, patterns)
     order = draw_files(rooms, count, seed)
     commands = compiler.Commands(build)

@@ -79,7 +79,8 @@ enum class ConductivityMean { unknown, arithmetic, harmonic, geometric };
 /// what is not claimed is no failure.
 struct Claims {
   /// On a lattice, far from walls, fields that are linear give the derivative times so many powers of the lattice's own
-  /// factor D = -sum_j V (x_i - x_j) dW_ij/dx_i; -1: one for each pass; 0: it is exact.
+  /// factor D = -sum_j V (x_i - x_j) dW_ij/dx_i; -1: one for each pass that reads the kernel's
+  /// gradient; 0: it is exact.
   int lattice_factors = -1;
   bool steady_on_any_particles = false;  ///< a uniform state has rate zero wherever the particles are
   bool galilean_invariant = true;        ///< a common velocity changes no rate
@@ -164,7 +165,18 @@ constexpr bool reads_what_nobody_wrote(SchemeInfo const& scheme) {
   return false;
 }
 
+/// How many of its passes differentiate, that of its rate among them.
+constexpr int derivatives_taken(SchemeInfo const& scheme) {
+  auto const of = [](KernelWeightSet kernel) {
+    return kernel.contains(KernelWeight::gradient) || kernel.contains(KernelWeight::radial) ? 1 : 0;
+  };
+  int count = of(scheme.kernel);
+  for (PassInfo const& pass : scheme.first_passes) count += of(pass.kernel);
+  return count;
+}
+
 /// The fields of particles from which closures take the wall values that a wall does not prescribe (fill_boundary_values).
+/// A gas has density, pressure and velocity anyway, which those closures read that take one of these from the others.
 constexpr FieldSet closure_fields(BoundaryValueSet values) {
   FieldSet fields;
   if (values.contains(BoundaryValue::pressure)) fields.insert(Field::pressure);

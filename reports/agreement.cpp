@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "reports/find_error.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/table/number_text.hpp"
@@ -27,11 +28,9 @@ Json values_of(RunRecord const& run) {
 }
 
 Number error_at(RunRecord const& run, Agreement::Difference const& place) {
-  auto const field = run.errors.find(place.field);
-  if (field == run.errors.end()) return std::nullopt;
-  auto const region = field->second.find(place.region);
-  if (region == field->second.end()) return std::nullopt;
-  double const value = norm_of(region->second.error, place.norm);
+  RegionError const* const error = find_error(run, place.field, place.region);
+  if (error == nullptr) return std::nullopt;
+  double const value = norm_of(error->error, place.norm);
   return std::isfinite(value) ? Number(value) : std::nullopt;
 }
 

@@ -54,7 +54,13 @@ int main() {
         }
     sample.first.push_back(sample.neighbour.size());
   }
-  bool const has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+  if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma")) {
+    std::fputs("error: this processor has no AVX2, for which all of them are compiled\n", stderr);
+    return 3;
+  }
+  bool const has_avx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+                          __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("avx512vl") &&
+                          __builtin_cpu_supports("avx512cd");
   Candidate const candidates[] = {
       {"ours, 4", ours_of_four, true},    {"ours, 8", ours_of_eight, has_avx512},
 #if SPHVERIFY_HAS_XSIMD

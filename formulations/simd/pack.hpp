@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 
 #include "formulations/basics/tensor_index.hpp"
 
@@ -105,29 +106,54 @@ struct Divisor {
   SPHVERIFY_INLINE friend Divisor operator*(Divisor a, Divisor b) {
     return {a.value * b.value, a.inverse * b.inverse};
   }
-  SPHVERIFY_INLINE friend Pack operator+(Divisor a, Divisor b) { return a.value + b.value; }
   SPHVERIFY_INLINE friend Pack operator/(Pack a, Divisor b) { return a * b.inverse; }
   SPHVERIFY_INLINE friend Pack operator/(Divisor a, Pack b) { return a.value / b; }
   SPHVERIFY_INLINE friend Pack operator/(Divisor a, Divisor b) { return a.value * b.inverse; }
   SPHVERIFY_INLINE friend Pack operator*(Pack a, Divisor b) { return a * b.value; }
   SPHVERIFY_INLINE friend Pack operator*(Divisor a, Pack b) { return a.value * b; }
   SPHVERIFY_INLINE friend Pack operator-(Divisor a) { return -a.value; }
-  SPHVERIFY_INLINE friend Pack operator-(Divisor a, Divisor b) { return a.value - b.value; }
-  SPHVERIFY_INLINE friend Pack operator+(Pack a, Divisor b) { return a + b.value; }
-  SPHVERIFY_INLINE friend Pack operator-(Pack a, Divisor b) { return a - b.value; }
-  SPHVERIFY_INLINE friend Pack operator+(Divisor a, Pack b) { return a.value + b; }
-  SPHVERIFY_INLINE friend Pack operator-(Divisor a, Pack b) { return a.value - b; }
-  SPHVERIFY_INLINE friend Pack::Mask operator<(Divisor a, Divisor b) { return a.value < b.value; }
-  SPHVERIFY_INLINE friend Pack::Mask operator<(Divisor a, Pack b) { return a.value < b; }
-  SPHVERIFY_INLINE friend Pack::Mask operator<(Pack a, Divisor b) { return a < b.value; }
-  SPHVERIFY_INLINE friend Pack min(Divisor a, Divisor b) { return min(a.value, b.value); }
-  SPHVERIFY_INLINE friend Pack max(Divisor a, Divisor b) { return max(a.value, b.value); }
   SPHVERIFY_INLINE friend Pack sqrt(Divisor a) { return sqrt(a.value); }
+  SPHVERIFY_INLINE friend Pack abs(Divisor a) { return abs(a.value); }
   SPHVERIFY_INLINE friend Pack exp(Divisor a) { return exp(a.value); }
   SPHVERIFY_INLINE friend Pack log(Divisor a) { return log(a.value); }
   SPHVERIFY_INLINE friend Pack cbrt(Divisor a) { return cbrt(a.value); }
-  SPHVERIFY_INLINE friend Pack pow(Divisor a, Pack b) { return pow(a.value, b); }
+  SPHVERIFY_INLINE friend Pack tanh(Divisor a) { return tanh(a.value); }
 };
+
+/// Where one of two is a divisor, and the other that, a pack or a number, the rest is that of packs.
+template <class A, class B>
+concept OneIsADivisor = (std::is_same_v<A, Divisor> || std::is_same_v<B, Divisor>) && std::is_convertible_v<A, Pack> &&
+                        std::is_convertible_v<B, Pack>;
+#define SPHVERIFY_WITH_DIVISORS(operation)                                 \
+  template <class A, class B>                                              \
+    requires OneIsADivisor<A, B>                                           \
+  SPHVERIFY_INLINE auto operator operation(A a, B b) {                     \
+    return static_cast<Pack>(a) operation static_cast<Pack>(b);            \
+  }
+SPHVERIFY_WITH_DIVISORS(+)
+SPHVERIFY_WITH_DIVISORS(-)
+SPHVERIFY_WITH_DIVISORS(<)
+SPHVERIFY_WITH_DIVISORS(<=)
+SPHVERIFY_WITH_DIVISORS(>)
+SPHVERIFY_WITH_DIVISORS(>=)
+SPHVERIFY_WITH_DIVISORS(==)
+SPHVERIFY_WITH_DIVISORS(!=)
+#undef SPHVERIFY_WITH_DIVISORS
+#define SPHVERIFY_WITH_DIVISORS(function)                                  \
+  template <class A, class B>                                              \
+    requires OneIsADivisor<A, B>                                           \
+  SPHVERIFY_INLINE Pack function(A a, B b) {                               \
+    return function(static_cast<Pack>(a), static_cast<Pack>(b));           \
+  }
+SPHVERIFY_WITH_DIVISORS(min)
+SPHVERIFY_WITH_DIVISORS(max)
+SPHVERIFY_WITH_DIVISORS(pow)
+#undef SPHVERIFY_WITH_DIVISORS
+template <class A, class B>
+  requires OneIsADivisor<A, B>
+SPHVERIFY_INLINE Pack select(Pack::Mask mask, A yes, B no) {
+  return select(mask, static_cast<Pack>(yes), static_cast<Pack>(no));
+}
 
 /// x^n
 template <int n>
@@ -186,7 +212,10 @@ struct RadialVector {
   SPHVERIFY_INLINE operator PackVector<Dim>() const { return eval(); }
   SPHVERIFY_INLINE Pack dot(PackVector<Dim> const& b) const { return b.dot(*this); }
   SPHVERIFY_INLINE friend RadialVector operator*(Pack s, RadialVector a) { return {s * a.along, a.r}; }
+  SPHVERIFY_INLINE friend RadialVector operator*(RadialVector a, Pack s) { return s * a; }
   SPHVERIFY_INLINE friend RadialVector operator-(RadialVector a) { return {-a.along, a.r}; }
+  SPHVERIFY_INLINE friend PackVector<Dim> operator+(RadialVector a, RadialVector b) { return a.eval() + b.eval(); }
+  SPHVERIFY_INLINE friend PackVector<Dim> operator-(RadialVector a, RadialVector b) { return a.eval() - b.eval(); }
 };
 template <int Dim>
 SPHVERIFY_INLINE Pack PackVector<Dim>::dot(RadialVector<Dim> const& b) const {
@@ -218,6 +247,8 @@ struct PackTensor {
     for (int n = 0; n < components; ++n) a.element[n] = s * a.element[n];
     return a;
   }
+  SPHVERIFY_INLINE friend PackTensor operator*(PackTensor a, Pack s) { return s * a; }
+  SPHVERIFY_INLINE friend PackTensor operator-(PackTensor a) { return Pack(-1.0) * a; }
   SPHVERIFY_INLINE friend PackVector<Dim> operator*(PackTensor const& a, PackVector<Dim> const& v) {
     PackVector<Dim> product;
     for (int k = 0; k < Dim; ++k) {
@@ -243,6 +274,15 @@ SPHVERIFY_INLINE PackTensor<Dim> outer(PackVector<Dim> const& a, PackVector<Dim>
 template <int Dim>
 SPHVERIFY_INLINE PackTensor<Dim> outer(PackVector<Dim> const& a, RadialVector<Dim> const& b) {
   return b.along * outer(a, b.r);
+}
+
+template <int Dim>
+SPHVERIFY_INLINE PackTensor<Dim> outer(RadialVector<Dim> const& a, PackVector<Dim> const& b) {
+  return a.along * outer(a.r, b);
+}
+template <int Dim>
+SPHVERIFY_INLINE PackTensor<Dim> outer(RadialVector<Dim> const& a, RadialVector<Dim> const& b) {
+  return a.along * outer(a.r, b);
 }
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

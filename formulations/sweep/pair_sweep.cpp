@@ -207,7 +207,7 @@ template <int Dim>
 std::vector<double> PairSweep<Dim>::conductances(void (*of_row)(Row const&, double*), FieldSet reads,
                                                  Particles<Dim> const& particles) {
   expects(particles.smoothing_lengths().empty());
-  wants_radial_ = wants_separation_ = true;
+  wants_radial_ = wants_separation_ = wants_value_ = true;  // once a scene
   Records const records(reads, particles, nullptr, threads_);
   SweepPlan const sweep = plan(particles, records);
   SweepKernels const& kernels = sweep_kernels<Dim>(particles.kernel().id());

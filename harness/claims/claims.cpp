@@ -43,7 +43,7 @@ char const* name_of(ConductivityMean mean) {
 
 std::vector<Question> questions(SchemeInfo const& s) {
   bool const is_momentum = s.rate == Rate::acceleration;
-  int const powers = s.claims.lattice_factors < 0 ? supports_seen(s) : s.claims.lattice_factors;
+  int const powers = s.claims.lattice_factors < 0 ? derivatives_taken(s) : s.claims.lattice_factors;
   std::string const linear = powers == 0   ? "linear fields: the exact derivative on a lattice"
                              : powers == 1 ? "linear fields: the derivative times the lattice's factor"
                                            : fmt::format("linear fields: the derivative times factor^{}", powers);

@@ -6,12 +6,12 @@ namespace sphverify::claims {
 namespace {
 
 constexpr double spacing = 0.1;
-constexpr double ratio = 1.3;
+constexpr double usual_ratio = 1.3;  // of smoothing length and spacing
 constexpr double rho = 1.3, P = 0.9, T = 1.1, K = 0.7;
 
 /// A uniform state on a lattice so large that the particle at the origin sees no edge through any pass.
 template <int Dim>
-RandomScene<Dim> lattice(SchemeInfo const& scheme, Kernel const& kernel) {
+RandomScene<Dim> lattice(SchemeInfo const& scheme, Kernel const& kernel, double ratio = usual_ratio) {
   int const reach = static_cast<int>(std::ceil(supports_seen(scheme) * kernel.support_ratio() * ratio));
   RandomScene<Dim> scene = lattice_scene<Dim>(2 * reach + 1, spacing, ratio);
   Particles<Dim>& p = scene.particles;
@@ -58,7 +58,7 @@ struct Middle {
 
 /// Of a rate of the uniform state: pressure, or conductivity and temperature, per density and length.
 double scale_of(Rate rate) {
-  double const h = ratio * spacing;
+  double const h = usual_ratio * spacing;
   return rate == Rate::acceleration ? P / (rho * h) : rate == Rate::conduction_heating ? K * T / (rho * h * h) : P / (rho * h);
 }
 
@@ -73,7 +73,8 @@ double uniform(SchemeInfo const& scheme, RandomScene<Dim> scene) {
 
 template <int Dim>
 std::optional<double> uniform_on_lattice(SchemeInfo const& scheme, Kernel const& kernel) {
-  return uniform(scheme, lattice<Dim>(scheme, kernel));
+  // At 1 neighbours lie on the edge of the support.
+  return std::max(uniform(scheme, lattice<Dim>(scheme, kernel)), uniform(scheme, lattice<Dim>(scheme, kernel, 1.0)));
 }
 
 template <int Dim>
@@ -89,7 +90,7 @@ template <int Dim>
 std::optional<double> linear_on_lattice(SchemeInfo const& scheme, Kernel const& kernel) {
   RandomScene<Dim> scene = lattice<Dim>(scheme, kernel);
   Particles<Dim>& p = scene.particles;
-  int const powers = scheme.claims.lattice_factors < 0 ? supports_seen(scheme) : scheme.claims.lattice_factors;
+  int const powers = scheme.claims.lattice_factors < 0 ? derivatives_taken(scheme) : scheme.claims.lattice_factors;
   double const factor = std::pow(lattice_factor(scene, kernel), powers);
   Random random(2);
   // So small gradients of pressure and conductivity that any function and any mean of them is linear too.

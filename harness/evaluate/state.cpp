@@ -11,7 +11,7 @@ namespace sphverify {
 
 namespace {
 
-constexpr double farthest = 1e100;  // [m]
+constexpr double farthest_position = 1e100;  // [m]
 
 template <int Dim>
 Vector<Dim> read_vector(Node const& node) {
@@ -23,7 +23,7 @@ Vector<Dim> read_vector(Node const& node) {
 /// Of a size that squares and cubes to a number.
 template <int Dim>
 Vector<Dim> read_place(Node const& node) {
-  for (Node const& coordinate : node.elements()) coordinate.number_between(-farthest, farthest);
+  for (Node const& coordinate : node.elements()) coordinate.number_between(-farthest_position, farthest_position);
   return read_vector<Dim>(node);
 }
 
@@ -94,7 +94,7 @@ void read_periodic(Node const& node, Domain<Dim>& domain) {
   for (int k = 0; k < Dim; ++k) {
     if (axes[k].is_null()) continue;
     auto const ends = axes[k].numbers();
-    for (Node const& end : axes[k].elements()) end.number_between(-farthest, farthest);
+    for (Node const& end : axes[k].elements()) end.number_between(-farthest_position, farthest_position);
     if (ends.size() != 2 || !(ends[1] > ends[0])) axes[k].complain("[lower, upper] or null");
     domain.periodic[k] = true;
     domain.lower[k] = ends[0];
@@ -150,7 +150,7 @@ State<Dim> read_state(Node const& document) {
   if (count == 0) node.at("position").complain("at least one particle");
 
   State<Dim> state{
-      Particles<Dim>(count, node.at("smoothing_length").number_between(1.0 / farthest, farthest)),
+      Particles<Dim>(count, node.at("smoothing_length").number_between(1.0 / farthest_position, farthest_position)),
       {Vector<Dim>::Zero(), Vector<Dim>::Zero(), {}},
       {},
       DensityRule::given,

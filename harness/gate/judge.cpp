@@ -17,7 +17,7 @@ namespace sphverify {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unlimited = std::numeric_limits<double>::infinity();
 
 /// What came of one run or series; the larger the badness, the worse within the same outcome.
 struct Outcome {
@@ -39,8 +39,8 @@ Outcome judge_range(Gate const& gate, Measured const& m) {
   bool const by_interval = gate.interval_decides && interval_known;
   double const lower = by_interval ? *m.lower : *m.value;
   double const upper = by_interval ? *m.upper : *m.value;
-  double const minimum = gate.limit.minimum.value_or(-infinity);
-  double const maximum = gate.limit.maximum.value_or(infinity);
+  double const minimum = gate.limit.minimum.value_or(-unlimited);
+  double const maximum = gate.limit.maximum.value_or(unlimited);
   Outcome outcome;
   // How far the value is beyond the nearer limit.
   outcome.badness = std::max(minimum - *m.value, *m.value - maximum);
@@ -87,7 +87,7 @@ bool is_of_timings(Measured const& m) {
 
 /// How far two ratios of times are apart at least.
 double gap(Measured const& a, Measured const& b) {
-  if (!is_of_timings(a) || !is_of_timings(b)) return infinity;
+  if (!is_of_timings(a) || !is_of_timings(b)) return unlimited;
   return std::max({0.0, *a.lower - *b.upper, *b.lower - *a.upper});
 }
 
@@ -104,7 +104,7 @@ Outcome judge_within(Gate const& gate, Measured const& m, std::vector<Measured> 
   auto const old = std::find_if(baseline.begin(), baseline.end(),
                                 [&](Measured const& other) { return same_subject(m, other); });
   outcome.kind = Outcome::failed;
-  outcome.badness = infinity;
+  outcome.badness = unlimited;
   if (old == baseline.end() || !old->value) {
     outcome.measured.problem = old == baseline.end() ? "not in the baseline" : "baseline: " + old->problem;
     return outcome;
@@ -132,7 +132,7 @@ Outcome judge_one(Gate const& gate, Measured const& m, std::vector<Measured> con
   bool const of_word = !gate.limit.equals_word.empty() && !m.word.empty();
   if (!m.value && !of_word) {
     outcome.kind = Outcome::failed;
-    outcome.badness = infinity;
+    outcome.badness = unlimited;
   } else if (gate.limit.within) {
     outcome = judge_within(gate, m, baseline);
   } else if (gate.limit.equals || of_word) {

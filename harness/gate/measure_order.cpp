@@ -5,6 +5,7 @@
 
 #include "harness/gate/measure.hpp"
 #include "harness/gate/measuring.hpp"
+#include "reports/find_error.hpp"
 #include "reports/norm_of.hpp"
 
 namespace sphverify {
@@ -19,12 +20,11 @@ Number order_round_off(Measuring const& measuring, Measured const& m, OrderEntry
   double finest = 0.0;
   for (std::size_t const index : m.series->runs) {
     RunRecord const& run = measuring.results.runs[index];
-    auto const regions = run.errors.find(entry.field);
-    if (regions == run.errors.end() || !regions->second.contains(entry.region)) return std::nullopt;
-    RegionError const& error = regions->second.at(entry.region);
-    double const norm = norm_of(error.error, entry.norm);
+    RegionError const* const error = find_error(run, entry.field, entry.region);
+    if (error == nullptr) return std::nullopt;
+    double const norm = norm_of(error->error, entry.norm);
     if (!(norm > 0.0) || !(run.spacing > 0.0)) return std::nullopt;
-    worst = std::max(worst, error.round_off / norm);
+    worst = std::max(worst, error->round_off / norm);
     coarsest = std::max(coarsest, run.spacing);
     finest = finest > 0.0 ? std::min(finest, run.spacing) : run.spacing;
   }

@@ -14,15 +14,15 @@ namespace sphverify {
 
 namespace {
 
-using Words = std::vector<std::string>;
+using WordList = std::vector<std::string>;
 
 constexpr int most_particles = 100'000'000;
 
-Words const norm_words{"l1", "l2", "linf"};
-Words const order_verdict_words{"asymptotic", "pre-asymptotic", "floored", "diverging", "not-refined"};
+WordList const norm_words{"l1", "l2", "linf"};
+WordList const order_verdict_words{"asymptotic", "pre-asymptotic", "floored", "diverging", "not-refined"};
 
 /// The keys that go with a measure, beside those of every gate.
-Words keys_of(GateMeasure measure) {
+WordList keys_of(GateMeasure measure) {
   switch (measure) {
     case GateMeasure::order:
       return {"field", "region", "norm", "interval", "verdict"};
@@ -71,7 +71,7 @@ ParameterValue read_value(Node const& node) {
   return table;
 }
 
-std::map<std::string, ParameterValue> read_parameters(Node const& node) {
+std::map<std::string, ParameterValue> read_parameter_match(Node const& node) {
   std::map<std::string, ParameterValue> parameters;
   for (auto const& [name, value] : node.members()) parameters[name] = read_value(value);
   return parameters;
@@ -81,11 +81,11 @@ CaseMatch read_case(Node const& node) {
   if (node.is_string()) return {node.string(), {}};
   node.require_keys({"id", "parameters"});
   CaseMatch match{node.at("id").string(), {}};
-  if (auto const parameters = node.find("parameters")) match.parameters = read_parameters(*parameters);
+  if (auto const parameters = node.find("parameters")) match.parameters = read_parameter_match(*parameters);
   return match;
 }
 
-FormulationMatch read_formulation(Node const& node) {
+FormulationMatch read_formulation_match(Node const& node) {
   if (node.is_string()) return {node.string(), {}, {}, {}};
   node.require_keys({"id", "work", "conduction", "walls"});
   auto const partner = [&](char const* key) -> std::optional<std::string> {
@@ -121,7 +121,7 @@ ViscosityChoice read_viscosity(Node const& node) {
 }
 
 void read_discretisation(Node const& node, Select& select) {
-  Words known = discretisation_words();
+  WordList known = discretisation_words();
   known.insert(known.end(), {"smoothing_ratio", "layout", "viscosity"});
   node.require_keys(known);
   for (auto const& [key, value] : node.members()) {
@@ -146,9 +146,9 @@ Select read_select(Node const& node) {
   if (auto const cases = node.find("case")) {
     for (Node const& one : cases->one_or_many()) select.cases.push_back(read_case(one));
   }
-  if (auto const parameters = node.find("parameters")) select.parameters = read_parameters(*parameters);
+  if (auto const parameters = node.find("parameters")) select.parameters = read_parameter_match(*parameters);
   if (auto const formulations = node.find("formulation")) {
-    for (Node const& one : formulations->one_or_many()) select.formulations.push_back(read_formulation(one));
+    for (Node const& one : formulations->one_or_many()) select.formulations.push_back(read_formulation_match(one));
   }
   if (auto const d = node.find("discretisation")) read_discretisation(*d, select);
   if (auto const resolutions = node.find("resolution")) {
@@ -199,7 +199,7 @@ void read_measure(Node const& node, Gate& gate) {
   gate.relative = gate.measure == GateMeasure::conservation || gate.measure == GateMeasure::wall_flux;
   if (auto const relative = node.find("relative")) gate.relative = relative->boolean();
   if (auto const wall = node.find("wall")) gate.wall = static_cast<std::size_t>(wall->integer(0, 1000));
-  auto const quantity = [&](Words const& words, std::string const& by_default) {
+  auto const quantity = [&](WordList const& words, std::string const& by_default) {
     auto const found = node.find("quantity");
     gate.quantity = found ? found->word(words) : by_default;
   };
@@ -217,7 +217,7 @@ void read_measure(Node const& node, Gate& gate) {
       throw UserError(node.file(), gate.key + ".relative_to", "nothing",
                       "another formulation: time and cost are gated as ratios only");
     }
-    gate.relative_to = read_formulation(*other);
+    gate.relative_to = read_formulation_match(*other);
   }
   if (auto const interval = node.find("interval"))
     gate.interval_decides = interval->word({"decides", "ignore"}) == "decides";
@@ -300,7 +300,7 @@ void read_limit(Node const& node, std::optional<Node> const& common_baseline, Ga
 }
 
 GateMeasure measure_of(std::string const& word) {
-  Words const& words = gate_measure_words();
+  WordList const& words = gate_measure_words();
   return static_cast<GateMeasure>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
@@ -308,10 +308,10 @@ GateMeasure measure_of(std::string const& word) {
 /// what it lacks.
 void require_gate_keys(Node const& node) {
   if (!node.is_object()) node.complain("an object");
-  Words known{"name", "select",   "measure",  "minimum", "maximum", "equals", "within",
+  WordList known{"name", "select",   "measure",  "minimum", "maximum", "equals", "within",
               "runs", "at_least", "baseline", "expect",  "reason",  "note"};
   auto const found = node.find("measure");
-  Words const measures = found ? Words{found->word(gate_measure_words())} : gate_measure_words();
+  WordList const measures = found ? WordList{found->word(gate_measure_words())} : gate_measure_words();
   for (std::string const& word : measures) {
     for (std::string const& key : keys_of(measure_of(word))) {
       if (std::find(known.begin(), known.end(), key) == known.end()) known.push_back(key);
@@ -344,7 +344,7 @@ Gate read_gate(Node const& node, std::optional<Node> const& common_baseline) {
 }  // namespace
 
 std::vector<std::string> const& gate_measure_words() {
-  static Words const words{"order",     "error",  "skill",     "time_error",    "conservation",
+  static WordList const words{"order",     "error",  "skill",     "time_error",    "conservation",
                            "wall_flux", "status", "stability", "time_to_error", "cost"};
   return words;
 }

@@ -8,20 +8,13 @@
 
 #include "cases/support/case.hpp"
 #include "harness/gate/measure.hpp"
+#include "reports/find_error.hpp"
 #include "reports/norm_of.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify {
 
 namespace {
-
-/// An error of a run; null where it has none.
-RegionError const* find_error(RunRecord const& run, std::string const& field, std::string const& region) {
-  auto const regions = run.errors.find(field);
-  if (regions == run.errors.end()) return nullptr;
-  auto const error = regions->second.find(region);
-  return error == regions->second.end() ? nullptr : &error->second;
-}
 
 /// A norm of the exact field; 0 where the run has none.
 double exact_norm(RunRecord const& run, std::string const& field, std::string const& region,
@@ -38,7 +31,7 @@ double initial_norm(RunRecord const& run, std::string const& field, std::string 
 }
 
 /// What a relative accuracy of a gas counts of.
-double largest(RunRecord const& run, std::string const& field) {
+double largest_value(RunRecord const& run, std::string const& field) {
   auto const of = [&](char const* name) { return exact_norm(run, name, "all", "linf"); };
   double const own = exact_norm(run, field, "all", "linf");
   if (field != "velocity" || !(of("density") > 0.0)) return own;
@@ -58,7 +51,7 @@ double smallest_limit(Gate const& gate, Measured const& m, ReferenceAccuracy con
                                             : 0.0;
     return gate.relative ? part : part * scale;
   }
-  double const absolute = accuracy.relative ? accuracy.value * largest(run, field) : accuracy.value;
+  double const absolute = accuracy.relative ? accuracy.value * largest_value(run, field) : accuracy.value;
   bool const is_skill = gate.measure == GateMeasure::skill;
   if (!gate.relative && !is_skill) return absolute;
   double const scale = is_skill ? initial_norm(run, field, gate.region, gate.norm)

@@ -24,13 +24,13 @@ int cvode_rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
   return CallbackData::require_finite(user, status, dydt);
 }
 
-int quadrature(realtype t, N_Vector y, N_Vector dqdt, void* user) {
+int cvode_quadrature(realtype t, N_Vector y, N_Vector dqdt, void* user) {
   return CallbackData::guarded(user, [&](OdeSystem const& system) {
     system.quadrature(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dqdt));
   });
 }
 
-int jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix matrix, void* user, N_Vector, N_Vector, N_Vector) {
+int cvode_jacobian(realtype t, N_Vector y, N_Vector, SUNMatrix matrix, void* user, N_Vector, N_Vector, N_Vector) {
   return CallbackData::guarded(user, [&](OdeSystem const& system) {
     DependencyPattern const& pattern = system.jacobian->pattern();
     std::vector<double> const& values = system.jacobian->evaluate(t, N_VGetArrayPointer(y));
@@ -66,7 +66,7 @@ LinearSolver attach_linear_solver(void* cvode, OdeSystem const& system, N_Vector
   if (!linear.solver) throw std::bad_alloc();
   require_sundials(CVodeSetLinearSolver(cvode, linear.solver.get(), linear.matrix.get()),
                    "CVodeSetLinearSolver");
-  if (system.jacobian) require_sundials(CVodeSetJacFn(cvode, jacobian), "CVodeSetJacFn");
+  if (system.jacobian) require_sundials(CVodeSetJacFn(cvode, cvode_jacobian), "CVodeSetJacFn");
   return linear;
 }
 
@@ -96,7 +96,7 @@ OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double f
 
   LinearSolver const linear = attach_linear_solver(cvode, system, state.get(), context);
   if (system.quadratures > 0)
-    require_sundials(CVodeQuadInit(cvode, quadrature, integrals.get()), "CVodeQuadInit");
+    require_sundials(CVodeQuadInit(cvode, cvode_quadrature, integrals.get()), "CVodeQuadInit");
 
   Samples samples(system);
   samples.pass(0.0, y.data(), result.quadratures.data());

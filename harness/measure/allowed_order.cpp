@@ -6,6 +6,8 @@
 
 #include "formulations/particles/smoothing_length.hpp"
 
+#include "reports/find_error.hpp"
+
 namespace sphverify {
 
 NormSet feature_orders(double exponent, double codimension, double thinning) {
@@ -72,14 +74,12 @@ NormSet allowed_of_ladder(std::vector<std::vector<RunRecord const*>> const& leve
   for (auto level = levels.rbegin(); level != levels.rend(); ++level) {
     bool found = false;
     for (RunRecord const* run : *level) {
-      auto const f = run->errors.find(field);
-      if (f == run->errors.end()) continue;
-      auto const error = f->second.find(region);
-      if (error == f->second.end()) continue;
+      RegionError const* const error = find_error(*run, field, region);
+      if (error == nullptr) continue;
       found = true;
-      if (!error->second.allowed) continue;
+      if (!error->allowed) continue;
       for (double NormSet::*const norm : {&NormSet::l1, &NormSet::l2, &NormSet::linf})
-        allowed.*norm = std::min(allowed.*norm, (*error->second.allowed).*norm);
+        allowed.*norm = std::min(allowed.*norm, (*error->allowed).*norm);
     }
     if (found) break;
   }

@@ -13,6 +13,7 @@
 #include "formulations/basics/parallel.hpp"
 #include "harness/measure/allowed_order.hpp"
 #include "harness/measure/order.hpp"
+#include "reports/find_error.hpp"
 #include "reports/mean_time.hpp"
 
 namespace sphverify {
@@ -55,13 +56,6 @@ Levels levels_of(Series const& series, std::vector<RunRecord> const& runs) {
   Levels levels;
   for (auto& [resolution, members] : by_resolution) levels.push_back(std::move(members));
   return levels;
-}
-
-RegionError const* find_error(RunRecord const& run, std::string const& field, std::string const& region) {
-  auto const f = run.errors.find(field);
-  if (f == run.errors.end()) return nullptr;
-  auto const r = f->second.find(region);
-  return r == f->second.end() ? nullptr : &r->second;
 }
 
 void set_times(std::vector<RunRecord const*> const& members, SeriesLevel& level) {

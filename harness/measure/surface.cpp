@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cases/support/case.hpp"
+#include "reports/find_error.hpp"
 #include "reports/norm_of.hpp"
 
 namespace sphverify {
@@ -65,11 +66,10 @@ Number mean_of(std::vector<RunRecord const*> const& runs, NumberOf const& number
 /// Above round-off: below it an error says nothing.
 Number error_of(RunRecord const& run, std::string const& field, std::string const& norm) {
   if (run.status != "ok") return std::nullopt;
-  auto const found = run.errors.find(field);
-  if (found == run.errors.end() || !found->second.contains(region)) return std::nullopt;
-  RegionError const& error = found->second.at(region);
-  double const value = norm_of(error.error, norm);
-  return value > error.round_off ? Number(value) : std::nullopt;
+  RegionError const* const error = find_error(run, field, region);
+  if (error == nullptr) return std::nullopt;
+  double const value = norm_of(error->error, norm);
+  return value > error->round_off ? Number(value) : std::nullopt;
 }
 
 SurfaceCell cell_of(std::vector<RunRecord const*> const& runs, std::string const& field,

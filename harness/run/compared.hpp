@@ -38,6 +38,8 @@ Profile make_profile(Particles<Dim> const& particles, std::vector<ComparedField>
 /// Largest change of a run by time stepping relative to its error, over regions and norms; changes within
 /// round-off do not count. NaN where one of them is.
 double time_error_share(FieldErrors const& change, FieldErrors const& error);
+/// The share down to which time stepping is refined.
+inline constexpr double largest_time_error_share = 0.01;
 
 /// Records the change of the leading field and that share; what is no number is left out and said.
 void put_time_error(double change, double share, Integration& integration);

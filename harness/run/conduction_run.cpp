@@ -22,8 +22,7 @@ namespace sphverify {
 namespace {
 
 /// Relative tolerances from loose to tight; absolute ones are the same part of the temperature scale.
-constexpr std::array<double, 5> tolerance_ladder{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
-constexpr double largest_time_error_share = 0.01;
+constexpr std::array<double, 5> conduction_tolerances{1e-4, 1e-6, 1e-8, 1e-10, 1e-12};
 constexpr double watch_tolerance = 1e-9;
 
 template <int Dim>
@@ -87,13 +86,13 @@ class ConductionRun : ConductionIntegration<Dim> {
     std::optional<OdeResult> looser;
     History history;
     double accepted = 0.0;
-    for (double const tolerance : tolerance_ladder) {
+    for (double const tolerance : conduction_tolerances) {
       set_tolerance(tolerance);  // the one that a run which breaks was at
       std::optional<OdeResult> tighter = integrate(conduction_, tolerance, with_quadratures);
       if (!tighter) {
         // Newton's iteration may not converge over long steps of one size.
         bool const may_do_better = record_.discretisation.integrator == "implicit-runge-kutta" &&
-                                   tolerance != tolerance_ladder.back() && record_.status == "unstable";
+                                   tolerance != conduction_tolerances.back() && record_.status == "unstable";
         if (!may_do_better) return std::nullopt;
         looser.reset();
         integration.time_error = integration.time_error_share = std::nullopt;
@@ -123,7 +122,7 @@ class ConductionRun : ConductionIntegration<Dim> {
             ? fmt::format(
                   "no tolerance down to {:g} brings it below {:g}: what is given is that of the last but "
                   "one, which bounds it",
-                  tolerance_ladder.back(), largest_time_error_share)
+                  conduction_tolerances.back(), largest_time_error_share)
             : "only the tightest tolerance got through: there is nothing to compare it with";
     return looser;
   }

@@ -17,7 +17,7 @@ namespace {
 /// Part of a typical unknown (of the spacing, for places) by which each is moved for a difference. The
 /// kernel's third derivative jumps where its pieces meet, and lattices have particles there: the error of a
 /// difference is of first order. It meets that of rounding at about this size.
-constexpr double difference = 1e-7;
+constexpr double jacobian_difference = 1e-7;
 
 template <int Dim>
 class GasModes {
@@ -146,8 +146,8 @@ Stability gas_stability(Problem<Dim> const& problem, SceneChoice const& choice, 
                                    2 * largest_dense_spectrum, gas.size());
     return stability;
   }
-  Eigen::MatrixXd const jacobian = gas.jacobian(difference, out_of_time);
-  Eigen::MatrixXd const coarser = gas.jacobian(3.0 * difference, out_of_time);
+  Eigen::MatrixXd const jacobian = gas.jacobian(jacobian_difference, out_of_time);
+  Eigen::MatrixXd const coarser = gas.jacobian(3.0 * jacobian_difference, out_of_time);
   if (jacobian.size() == 0 || coarser.size() == 0) {
     stability.remark = "the time budget was spent";
     return stability;

@@ -22,8 +22,7 @@ namespace {
 
 /// From coarse to fine: parts of the usual step limits, and relative tolerances.
 constexpr std::array<double, 2> courant_ladder{1.0, 0.5};
-constexpr std::array<double, 4> tolerance_ladder{1e-4, 1e-6, 1e-8, 1e-10};
-constexpr double largest_time_error_share = 0.01;
+constexpr std::array<double, 4> gas_tolerances{1e-4, 1e-6, 1e-8, 1e-10};
 
 template <int Dim>
 class MovingRun : MovingIntegration<Dim> {
@@ -119,7 +118,7 @@ class MovingRun : MovingIntegration<Dim> {
         integration.relative_tolerance = integration.absolute_tolerance = rung;
       }
     };
-    std::vector<double> rungs(tolerance_ladder.begin(), tolerance_ladder.end());
+    std::vector<double> rungs(gas_tolerances.begin(), gas_tolerances.end());
     if (is_leapfrog()) rungs.assign(courant_ladder.begin(), courant_ladder.end());
     std::optional<FinalState<Dim>> looser;
     double accepted = 0.0;

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "reports/find_error.hpp"
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
 
@@ -19,12 +20,10 @@ double scale_of(Series const& series, std::vector<RunRecord> const& runs, OrderE
   double scale = 0.0;
   for (std::size_t const index : series.runs) {
     RunRecord const& run = runs[index];
-    auto const field = run.errors.find(entry.field);
-    if (field == run.errors.end() || run.resolution <= finest) continue;
-    auto const region = field->second.find(entry.region);
-    if (region == field->second.end()) continue;
+    RegionError const* const error = find_error(run, entry.field, entry.region);
+    if (error == nullptr || run.resolution <= finest) continue;
     finest = run.resolution;
-    scale = norm_of(region->second.scale, entry.norm);
+    scale = norm_of(error->scale, entry.norm);
   }
   return scale;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reports/extremes.hpp"
+#include "reports/find_error.hpp"
 
 namespace sphverify {
 
@@ -20,10 +21,8 @@ std::map<int, ComparedLevel> levels_of(Series const& series, std::vector<RunReco
       level.tolerance = std::max(level.tolerance, *run.integration->relative_tolerance);
       level.time_error_share = larger_if_known(level.time_error_share, run.integration->time_error_share);
     }
-    auto const errors = run.errors.find(field);
-    if (errors == run.errors.end()) continue;
-    if (auto const found = errors->second.find(region); found != errors->second.end())
-      level.round_off = std::max(level.round_off, found->second.round_off);
+    if (RegionError const* const error = find_error(run, field, region))
+      level.round_off = std::max(level.round_off, error->round_off);
   }
   return levels;
 }

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "reports/extremes.hpp"
+#include "reports/find_error.hpp"
 #include "reports/leading_fields.hpp"
 #include "reports/mean_time.hpp"
 #include "reports/norm_of.hpp"
@@ -226,13 +227,11 @@ void read_order(Series const& series, std::vector<RunRecord> const& runs, std::s
     }
   }
   for (std::size_t const index : series.runs) {
-    auto const field = runs[index].errors.find(entry->field);
-    if (!row.error || runs[index].resolution != row.finest || field == runs[index].errors.end()) continue;
-    auto const found = field->second.find(region);
-    if (found == field->second.end()) continue;
-    double const scale = norm_of(found->second.scale, norm);
+    RegionError const* const error = find_error(runs[index], entry->field, region);
+    if (!row.error || runs[index].resolution != row.finest || error == nullptr) continue;
+    double const scale = norm_of(error->scale, norm);
     if (scale > 0.0) row.relative_error = *row.error / scale;
-    raise(row.round_off, found->second.round_off);
+    raise(row.round_off, error->round_off);
   }
   read_law(entry->observed, row);
   for (TimeToError const& t : series.time_to_error) {

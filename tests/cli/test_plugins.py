@@ -193,7 +193,7 @@ class TheirClaims(PluginTest):
     def test_what_cannot_be_looked_at_is_not_kept(self):
         for name, change in (("refuses", {"rates": "return 7;"}), ("nan", {"rate": "r->pairs[0][i] = sqrt(-1.0)"})):
             claims = self.claims(self.changed(name, **change), program.GATE_FAILED)
-            self.assertFalse(any(one["holds"] for one in claims.values() if one["claim"] != "particles gain what the walls give"))
+            self.assertFalse(any(one["holds"] for one in claims.values()))
 
     def test_one_that_claims_too_much_fails_by_name(self):
         library = self.changed("liar", describe="d->reads = SPHVERIFY_TEMPERATURE; d->conserves = SPHVERIFY_CONSERVES_ENERGY;",

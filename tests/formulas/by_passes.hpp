@@ -78,7 +78,7 @@ struct WorkByPasses {
       .kernel = {sphverify::KernelWeight::gradient},
       .boundary = {sphverify::BoundaryValue::pressure, sphverify::BoundaryValue::velocity},
       .first_passes = {Pressure::info, Velocity::info},
-      .claims = {.steady_on_any_particles = true},
+      .claims = {.lattice_factors = 1, .steady_on_any_particles = true},
       .supports_seen = 1};
   using passes = sphverify::PassList<Pressure, Velocity>;
 

@@ -1,6 +1,7 @@
 #include "harness/measure/normal_mixture.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <cmath>
 
 BOOST_AUTO_TEST_SUITE(harness_measure_normal_mixture)
 
@@ -14,6 +15,18 @@ BOOST_AUTO_TEST_CASE(one_normal_distribution_has_its_known_quantiles) {
   BOOST_TEST(m.quantile(0.975) == 2.0 + 1.959963985 * 0.5, tolerance(1e-6));
   BOOST_TEST(m.quantile(0.025) == 2.0 - 1.959963985 * 0.5, tolerance(1e-6));
   BOOST_TEST(m.probability_below(2.5) == 0.841344746, tolerance(1e-8));
+}
+
+BOOST_AUTO_TEST_CASE(the_normal_distribution_is_that_of_the_error_function_everywhere) {
+  NormalMixture m;
+  m.add(2.0, 0.5, 3.0);
+  double worst = 0.0;
+  for (int k = -7000; k <= 7000; ++k) {
+    double const z = 1e-3 * k + 1.23e-5;
+    double const known = std::abs(z) >= 6.0 ? (z > 0.0 ? 1.0 : 0.0) : 0.5 * std::erfc(-z / std::sqrt(2.0));
+    worst = std::max(worst, std::abs(m.probability_below(0.5 + 3.0 * z) - known));
+  }
+  BOOST_TEST(worst < 1e-12);
 }
 
 BOOST_AUTO_TEST_CASE(weights_count_whatever_they_sum_to) {

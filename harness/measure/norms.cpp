@@ -41,14 +41,14 @@ namespace {
 
 /// Whether a point is within a distance of two walls that are not parallel.
 template <int Dim>
-bool is_in_corner(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double reach) {
+bool is_in_corner(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, double distance) {
   constexpr double least_sine = 1e-6;
   for (auto one = walls.begin(); one != walls.end(); ++one) {
-    if (one->distance(x) >= reach) continue;
+    if (one->distance(x) >= distance) continue;
     for (auto other = std::next(one); other != walls.end(); ++other) {
       Vector<Dim> const n = one->outward_normal;
       Vector<Dim> const across = other->outward_normal - n.dot(other->outward_normal) * n;
-      if (other->distance(x) < reach && across.norm() > least_sine) return true;
+      if (other->distance(x) < distance && across.norm() > least_sine) return true;
     }
   }
   return false;

@@ -119,13 +119,13 @@ std::optional<FinalState<Dim>> MovingIntegration<Dim>::integrate(SceneChoice con
   if (result.outcome == OdeOutcome::stopped) return give_up(state, status, result.reason);
   state.steps = result.steps;
   state.budgets = state.gas->budgets(result.quadratures.data());
-  state.cost = {.seconds = clock.seconds(),
-                .cpu_seconds = options_.threads == 1 ? Number(clock.cpu_seconds()) : std::nullopt,
-                .setup_seconds = setup,
-                .steps = result.steps,
-                .rate_evaluations = scene.work().evaluations,
-                .pair_interactions = scene.work().pair_interactions,
-                .peak_bytes = scene.bytes()};
+  state.cost.seconds = clock.seconds();
+  state.cost.cpu_seconds = options_.threads == 1 ? Number(clock.cpu_seconds()) : std::nullopt;
+  state.cost.setup_seconds = setup;
+  state.cost.steps = result.steps;
+  state.cost.rate_evaluations = scene.work().evaluations;
+  state.cost.pair_interactions = scene.work().pair_interactions;
+  state.cost.peak_bytes = scene.bytes();
   return state;
 }
 

@@ -112,6 +112,12 @@ BOOST_AUTO_TEST_CASE(exact_surfaces_give_their_exponents_back) {
     BOOST_TEST(*surface.sampling_exponent.value == s, boost::test_tools::tolerance(0.02));
     BOOST_TEST(*surface.spacing_exponent.value - t == 0.0, boost::test_tools::tolerance(0.02));
     BOOST_TEST(*surface.neighbour_exponent.value == (p - t) / (p + s), boost::test_tools::tolerance(0.02));
+    // A law says more than it is told.
+    BOOST_TEST(!surface.candidates.empty());
+    for (SurfaceCandidate const& one : surface.candidates) {
+      BOOST_TEST(one.parameters >= 2);
+      BOOST_TEST(one.parameters < static_cast<int>(surface.cells.size()), one.model);
+    }
     // What stands beside the path belongs together: at its place the law says its error and its cost.
     BOOST_TEST_REQUIRE(!surface.paths.empty());
     for (SurfacePath const& path : surface.paths) {
@@ -248,6 +254,7 @@ BOOST_AUTO_TEST_CASE(a_rule_costs_what_the_law_says) {
   PathRule const kept = follow_rule(0.0, walk, start, cost, range);
   BOOST_TEST(kept.resolution == finest);
   BOOST_TEST(kept.ratio == start.ratio);
+  BOOST_TEST(kept.remark != "h/dx reaches the grid's end there");
   BOOST_TEST(*kept.error_ratio.value > 2.0);
   // Both ratios from their definition.
   double const spent = surface_cost(cost, finest, start.ratio);

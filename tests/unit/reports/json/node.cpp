@@ -97,6 +97,9 @@ BOOST_AUTO_TEST_CASE(parameters_are_of_the_kind_of_their_defaults) {
   BOOST_TEST((read("1.5", 0.0) == ParameterValue(1.5)));
   BOOST_TEST((read("2", 0.0, true) == ParameterValue(2.0)));
   BOOST_CHECK_THROW(read("1.5", 0.0, true), UserError);
+  BOOST_TEST((read("-2147483648", 0.0, true) == ParameterValue(-2147483648.0)));
+  BOOST_CHECK_THROW(read("2147483649", 0.0, true), UserError);
+  BOOST_CHECK_THROW(read("-2147483649", 0.0, true), UserError);
   BOOST_CHECK_THROW(read("\"a\"", 0.0), UserError);
   BOOST_TEST((read("\"a\"", std::string("b")) == ParameterValue(std::string("a"))));
   BOOST_CHECK_THROW(read("1", std::string("b")), UserError);

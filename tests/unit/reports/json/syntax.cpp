@@ -12,7 +12,7 @@ std::string const document = R"({"a": [1, -2.5e-3, 0, 0.5E+2], "b": {"c": "t\"\\
   "e": [true, false, null, {}], "größe": ""})";
 
 BOOST_AUTO_TEST_CASE(what_is_json_is_taken) {
-  for (std::string const text :
+  for (std::string const& text :
        {document, std::string("1"), std::string("\"a\""), std::string("\xEF\xBB\xBF[ ]\r\n")})
     BOOST_TEST(!find_syntax_error(text).has_value(), text);
 }

@@ -76,6 +76,9 @@ BOOST_AUTO_TEST_CASE(the_answer_of_a_formulation_stands_first_in_one_sentence) {
       "4.2 times.");
   BOOST_TEST_REQUIRE(answer != std::string::npos, text);
   BOOST_TEST(answer < text.find("h/dx of least error by the law"));
+  Surface without = surface_of("conduction/brookshaw", "temperature");
+  without.error.neighbour_exponent = {};
+  BOOST_TEST(!contains(in_one_line(surfaces_text(rows_of({without}), options)), "; neighbours ~ N^"));
   BOOST_TEST(text.starts_with("conduction/slab-dirichlet "), text);
   for (char const* cell :
        {"1.25: 1.2e-2", "-0.5 (-0.6 to -0.4)", "0.37", "5.1%", "1.0e-2: 25, 1.5", "7.1 (6-8)"})

@@ -27,7 +27,7 @@ function(sphverify_hot_file set file)
 endfunction()
 
 # sphverify_add_loops(TARGET FILE TEMPLATE): a file of a template for every instruction set, with the caller's `includes` and
-# `instantiations` in it. Only the best set, the last, has loops made for single schemes: half of all compilation.
+# `instantiations` in it. Only the best set, the last, has loops made for single schemes and sizes of record.
 function(sphverify_add_loops target file template)
   set(specialises 0)
   foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)

@@ -1,5 +1,6 @@
 #include "harness/claims/defects.hpp"
 #include "harness/claims/random_scene.hpp"
+#include "reports/extremes.hpp"
 
 namespace sphverify::claims {
 
@@ -74,7 +75,7 @@ double uniform(SchemeInfo const& scheme, RandomScene<Dim> scene) {
 template <int Dim>
 std::optional<double> uniform_on_lattice(SchemeInfo const& scheme, Kernel const& kernel) {
   // At 1 neighbours lie on the edge of the support.
-  return std::max(uniform(scheme, lattice<Dim>(scheme, kernel)), uniform(scheme, lattice<Dim>(scheme, kernel, 1.0)));
+  return larger(uniform(scheme, lattice<Dim>(scheme, kernel)), uniform(scheme, lattice<Dim>(scheme, kernel, 1.0)));
 }
 
 template <int Dim>

@@ -81,8 +81,8 @@ using FieldErrors = std::map<std::string, RegionError>;
 /// Budget of one conserved quantity.
 struct Budget {
   double initial = 0.0, final = 0.0;
-  double exchanged = 0.0;     ///< through walls and sources, by the scheme
-  double drift = 0.0;         ///< final - initial - exchanged: what pairs and time stepping created
+  double exchanged = 0.0;     ///< through walls and sources, by the scheme; NaN: not known
+  double drift = 0.0;         ///< final - initial - exchanged: what pairs and time stepping created; NaN likewise
   Number pair_drift;          ///< of it, what the pairs created
   Number wall_budget_defect;  ///< what crossed the walls less what their prescribed values say
 };
@@ -239,6 +239,7 @@ struct RunRecord {
   double spacing = 0.0, smoothing_length = 0.0;
   std::string status = "ok";
   std::string reason;
+  std::string output;                ///< end of what a code that is not ours printed
   std::vector<std::string> remarks;  ///< what a reader of the numbers should know of how the run was set up
   SceneRecord scene;
   std::map<std::string, FieldErrors> errors;

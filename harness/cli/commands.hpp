@@ -22,5 +22,7 @@ void add_evaluate(CLI::App& app);
 void add_exact(CLI::App& app);
 void add_order(CLI::App& app);
 void add_claims(CLI::App& app);
+void add_particles(CLI::App& app);
+void add_assess(CLI::App& app);
 
 }  // namespace sphverify

@@ -3,13 +3,13 @@
 #include <charconv>
 #include <cmath>
 #include <memory>
-#include <set>
 
 #include "cases/support/case.hpp"
+#include "harness/cli/case_parameters.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/codes/read_snapshot.hpp"
 #include "harness/study/parameter_complaint.hpp"
 #include "reports/json/results_json.hpp"
-#include "reports/listed_identifiers.hpp"
 
 namespace sphverify {
 
@@ -19,40 +19,10 @@ struct ExactCommand {
   std::string case_id;
   std::vector<std::string> parameters;
   double time = 0.0;
-  std::string points;
+  std::string points, file;
 };
 
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-/// VALUE is JSON, or a bare word.
-Json parse_value(std::string const& text) {
-  Json const parsed = Json::parse(text, nullptr, false);
-  return parsed.is_discarded() ? Json(text) : parsed;
-}
-
-Parameters read_parameters(CaseInfo const& info, std::vector<std::string> const& assignments) {
-  Parameters parameters(info.parameters);
-  std::vector<std::string> names;
-  for (ParameterSpec const& spec : info.parameters) names.push_back(spec.name);
-  std::set<std::string> assigned;
-  for (std::string const& assignment : assignments) {
-    auto const equals = assignment.find('=');
-    if (equals == std::string::npos)
-      throw UserError("exact", "--parameter", "'" + assignment + "'", "NAME=VALUE");
-    std::string const name = assignment.substr(0, equals);
-    if (!assigned.insert(name).second)
-      throw UserError("exact", "--parameter", "'" + assignment + "'", "every name only once");
-    bool known = false;
-    for (ParameterSpec const& spec : info.parameters) {
-      if (spec.name != name) continue;
-      Json const value = parse_value(assignment.substr(equals + 1));
-      parameters.give(name, read_parameter(Node(value, "exact", "--parameter " + name), spec));
-      known = true;
-    }
-    if (!known) throw UserError("exact", "--parameter", "'" + name + "'", one_of(name, names));
-  }
-  return parameters;
-}
 
 double read_coordinate(std::string_view text) {
   double value = 0.0;
@@ -63,8 +33,28 @@ double read_coordinate(std::string_view text) {
   return value;
 }
 
+/// The places of particles in a file.
 template <int Dim>
-std::vector<Vector<Dim>> read_points(std::string const& text) {
+std::vector<Vector<Dim>> points_in(std::string const& file) {
+  Snapshot const snapshot = read_snapshot({file}, {});
+  std::vector<Vector<Dim>> points(snapshot.size());
+  for (int k = 0; k < Dim; ++k) {
+    auto const column = snapshot.columns.find(position_columns[static_cast<std::size_t>(k)]);
+    if (column == snapshot.columns.end())
+      throw UserError(file, position_columns[static_cast<std::size_t>(k)], "nothing", fmt::format("points in {} dimensions", Dim));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i][k] = column->second[i];
+      if (!std::isfinite(points[i][k]))
+        throw UserError(file, column->first, fmt::format("{} of point {}", points[i][k], i), "a number");
+    }
+  }
+  return points;
+}
+
+template <int Dim>
+std::vector<Vector<Dim>> read_points(ExactCommand const& command) {
+  if (!command.file.empty()) return points_in<Dim>(command.file);
+  std::string const& text = command.points;
   std::vector<Vector<Dim>> points;
   for (std::size_t start = 0; start <= text.size();) {
     std::size_t const end = std::min(text.find(',', start), text.size());
@@ -86,8 +76,8 @@ std::vector<Vector<Dim>> read_points(std::string const& text) {
 }
 
 template <int Dim>
-Json exact_in_dimension(Problem<Dim> const& problem, double time, std::string const& text) {
-  auto const points = read_points<Dim>(text);
+Json exact_in_dimension(Problem<Dim> const& problem, double time, ExactCommand const& command) {
+  auto const points = read_points<Dim>(command);
   bool const may_leave_the_domain = problem.gamma > 0.0;  // a gas moves, and takes its walls along
   for (Vector<Dim> const& x : points) {
     bool const turned = problem.domain.is_turned();
@@ -137,14 +127,9 @@ Json exact_in_dimension(Problem<Dim> const& problem, double time, std::string co
 }
 
 void exact(ExactCommand const& command) {
-  Case const* const found = find_case(command.case_id);
-  if (found == nullptr) {
-    std::vector<std::string> ids;
-    for (Case const& one : all_cases()) ids.push_back(one.info.id);
-    throw UserError("exact", "CASE", "'" + command.case_id + "'",
-                    one_listed_by("sphverify list cases", command.case_id, ids));
-  }
-  Parameters const given = read_parameters(found->info, command.parameters);
+  if (command.points.empty() && command.file.empty()) throw UserError("exact", "--points", "nothing", "points, or --points-file");
+  Case const* const found = &case_named("exact", command.case_id);
+  Parameters const given = read_assignments("exact", found->info, command.parameters);
   if (!(command.time >= 0.0) || !std::isfinite(command.time)) {
     throw UserError("exact", "--time", fmt::format("{:g}", command.time), "a time of 0 or later");
   }
@@ -161,15 +146,11 @@ void exact(ExactCommand const& command) {
       used.set("final_time", given.all().at("final_time"));
     document["parameters"] = parameters_json(used.all());
     document.update(std::visit(
-        [&](auto const& p) { return exact_in_dimension(p, command.time, command.points); }, problem));
+        [&](auto const& p) { return exact_in_dimension(p, command.time, command); }, problem));
   } catch (BadValue const& error) {
     bool const is_time = parameter_of(error, found->info) == "final_time" && !given.is_given("final_time");
     if (is_time) throw UserError(place, "--time", fmt::format("{:g}", command.time), error.expected);
-    Json values = Json::object();
-    for (std::string const& assignment : command.parameters) {
-      std::size_t const equals = assignment.find('=');
-      values[assignment.substr(0, equals)] = parse_value(assignment.substr(equals + 1));
-    }
+    Json const values = assigned_values(command.parameters);
     throw parameter_complaint(error, found->info, place, "--parameter ", &values);
   } catch (std::invalid_argument const& error) {
     throw UserError(place, "--parameter", error.what(), "values for which the case has a solution");
@@ -188,7 +169,10 @@ void add_exact(CLI::App& app) {
       ->take_all()
       ->allow_extra_args(false);
   sub->add_option("-t,--time", command->time, "Time")->required();
-  sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions")->required();
+  CLI::Option* const points = sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions");
+  CLI::Option* const file =
+      sub->add_option("--points-file", command->file, "Particles whose places are the points: CSV with columns x, y, z, or HDF5");
+  points->excludes(file);
   sub->footer(
       "A parameter that is given and has no effect is refused, final_time among them: the case need only "
       "make sense until the time asked for.\n"

@@ -75,6 +75,8 @@ int program_main(int argc, char** argv, Program const& program) {
   add_exact(app);
   add_order(app);
   add_claims(app);
+  add_particles(app);
+  add_assess(app);
 
   try {
     if (program.add_parts) program.add_parts();

@@ -204,7 +204,8 @@ void measure(Series& series, std::vector<RunRecord> const& runs) {
   // A ladder of which every run failed still gets a verdict.
   if (measured.empty() && std::any_of(series.runs.begin(), series.runs.end(),
                                       [&](std::size_t index) { return runs[index].status != "ok"; })) {
-    bool const moving = !series.formulation.work.empty();
+    Case const* const found = find_case(series.case_id);
+    bool const moving = !series.formulation.work.empty() || (found != nullptr && moves(found->info.kind));
     measured.emplace(moving ? "velocity" : "temperature", "all");
   }
   for (auto const& [field, region] : measured) {

@@ -3,6 +3,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "harness/codes/code_run.hpp"
 #include "harness/run/clock.hpp"
 #include "harness/run/conduction_run.hpp"
 #include "harness/run/moving_run.hpp"
@@ -78,6 +79,10 @@ MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options) {
   record.resolution = spec.resolution;
   try {
     AnyProblem const problem = spec.scene_case->problem(spec.parameters);
+    if (spec.code) {
+      run_code(problem, spec, options, run);
+      return run;
+    }
     std::visit([&](auto const& in_dimension) { measure_in_dimension(in_dimension, spec, options, run); },
                problem);
   } catch (UndefinedRate const& error) {
@@ -97,9 +102,10 @@ MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options) {
 Repeats repeats_of(RunSpec const& spec, RunOptions const& options, MeasuredRun const& measured) {
   // Repeats refer to the problem: it lives as long as they do.
   auto const problem = std::make_shared<AnyProblem const>(spec.scene_case->problem(spec.parameters));
-  Repetition const repetition = std::visit(
-      [&](auto const& in_dimension) { return repetition_of(in_dimension, spec, options, measured.record); },
-      *problem);
+  Repetition const repetition =
+      spec.code ? repeat_code(*problem, spec, options)
+                : std::visit([&](auto const& in_dimension) { return repetition_of(in_dimension, spec, options, measured.record); },
+                             *problem);
   auto const spent = std::make_shared<double>(measured.spent_seconds);
   auto const once = [problem, repetition, spent, &options]() -> std::optional<Cost> {
     if (options.interrupted && *options.interrupted) throw Interrupted();

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -27,6 +28,8 @@ enum class Measure {
 };
 using MeasureSet = FlagSet<Measure>;
 
+struct ExternalCode;
+
 /// One run: a case, a formulation, a discretisation and a resolution.
 struct RunSpec {
   Case const* scene_case;
@@ -37,6 +40,7 @@ struct RunSpec {
   double smoothing_exponent;
   int resolution;
   double smoothing_ratio;  ///< h/dx at this resolution
+  std::shared_ptr<ExternalCode const> code{};  ///< that runs it; null: ours do
 };
 
 struct RunOptions {

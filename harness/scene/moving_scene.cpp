@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "harness/scene/choices.hpp"
-#include "harness/scene/place.hpp"
+#include "harness/scene/initial_particles.hpp"
 
 namespace sphverify {
 
@@ -16,14 +16,6 @@ namespace {
 template <int Dim>
 std::unique_ptr<RateOperator<Dim>> operator_if_named(std::string const& id) {
   return id.empty() ? nullptr : make_rate_operator<Dim>(id);
-}
-
-/// A field of the exact initial state at places.
-template <int Dim>
-std::vector<double> sample(ScalarFunction<Dim> const& f, VectorField<Dim> const& places) {
-  std::vector<double> values(places.size());
-  for (std::size_t i = 0; i < values.size(); ++i) values[i] = f(places[i], 0.0);
-  return values;
 }
 
 }  // namespace
@@ -63,20 +55,13 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
 
 template <int Dim>
 void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
-  Layout<Dim> layout = place(problem_, choice.discretisation.layout, choice.resolution);
+  InitialParticles<Dim> start =
+      initial_particles(problem_, choice.discretisation, choice.resolution, choice.smoothing_ratio);
   ++passes_["layout"];
-  spacing_ = layout.spacing;
-  std::size_t const n = layout.volumes.size();
-  particles_ = Particles<Dim>(n, choice.smoothing_ratio * spacing_);
-  particles_.set_kernel(kernel(choice.discretisation.kernel, Dim));
-  for (std::size_t i = 0; i < n; ++i) {
-    particles_.masses()[i] =
-        problem_.scalars.at(Field::density)(layout.positions[i], 0.0) * layout.volumes[i];
-  }
-  cut_cells_ = cut_cells(problem_, layout, choice.discretisation.layout);
-  for (CutCell<Dim> const& cell : cut_cells_)
-    particles_.masses()[cell.particle] = held(cell, problem_).density * cell.volume;
-  particles_.positions() = std::move(layout.positions);
+  spacing_ = start.spacing;
+  particles_ = std::move(start.particles);
+  cut_cells_ = std::move(start.cut_cells);
+  std::size_t const n = particles_.size();
   particles_.allocate(
       {Field::density, Field::velocity, Field::pressure, Field::internal_energy, Field::sound_speed});
   particles_.allocate(needed_fields(momentum_operator_->info()));
@@ -103,53 +88,24 @@ std::size_t MovingScene<Dim>::unknowns() const {
   return 2 * Dim * n + n + (has_continuity() ? n : 0) + free_walls_.size();
 }
 
-/// Per mass, of the energy that the problem releases at a point: as the kernel about the point says, so that
-/// all of it is there and it shrinks to the point as h does.
-template <int Dim>
-std::vector<double> MovingScene<Dim>::released_energy() const {
-  std::size_t const n = particles_.size();
-  std::vector<double> energy(n, 0.0);
-  if (!problem_.point_energy) return energy;
-  double sum = 0.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    Vector<Dim> const r =
-        problem_.domain.nearest_image(particles_.positions()[i] - problem_.point_energy->place);
-    energy[i] = particles_.kernel().value(r.norm(), particles_.smoothing_length());
-    sum += particles_.masses()[i] * energy[i];
-  }
-  if (!(sum > 0.0)) throw std::invalid_argument("no particle is near the point at which energy is released");
-  for (double& e : energy) e *= problem_.point_energy->energy / sum;
-  return energy;
-}
-
 template <int Dim>
 std::vector<double> MovingScene<Dim>::initial_state() {
   std::size_t const n = particles_.size();
   std::vector<double> state;
   state.reserve(unknowns());
-  VectorField<Dim> const x = particles_.positions();
-  VectorField<Dim> v(n);
-  std::vector<double> e = sample(problem_.scalars.at(Field::internal_energy), x);
-  std::vector<double> rho;
-  if (has_continuity()) rho = sample(problem_.scalars.at(Field::density), x);
-  for (std::size_t i = 0; i < n; ++i) v.set(i, problem_.vectors.at(Field::velocity)(x[i], 0.0));
-  for (CutCell<Dim> const& cell : cut_cells_) {
-    CellState<Dim> const inside = held(cell, problem_);
-    v.set(cell.particle, inside.velocity);
-    e[cell.particle] = inside.internal_energy;
-    if (has_continuity()) rho[cell.particle] = inside.density;
-  }
-  for (VectorField<Dim> const* field : {&x, static_cast<VectorField<Dim> const*>(&v)}) {
+  // Of the places where the layout put them, as long as no state was loaded.
+  VectorField<Dim> const& x = particles_.positions();
+  InitialGas<Dim> const gas = initial_gas(problem_, particles_, cut_cells_);
+  for (VectorField<Dim> const* field : {&x, &gas.velocity}) {
     for (int k = 0; k < Dim; ++k) {
       state.insert(state.end(), field->component(k).begin(), field->component(k).end());
     }
   }
-  std::vector<double> const released = released_energy();
   for (std::size_t i = 0; i < n; ++i) {
-    double const internal = e[i] + released[i];
-    state.push_back(evolves_total_energy() ? internal + 0.5 * v[i].squaredNorm() : internal);
+    double const internal = gas.internal_energy[i];
+    state.push_back(evolves_total_energy() ? internal + 0.5 * gas.velocity[i].squaredNorm() : internal);
   }
-  state.insert(state.end(), rho.begin(), rho.end());
+  if (has_continuity()) state.insert(state.end(), gas.density.begin(), gas.density.end());
   state.insert(state.end(), free_walls_.size(), 0.0);
   return state;
 }

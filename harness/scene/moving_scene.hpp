@@ -104,7 +104,6 @@ class MovingScene {
   bool has_continuity() const { return density_rule_ == DensityRule::continuity; }
   bool evolves_total_energy() const { return work_operator_->info().rate == Rate::total_work; }
   void place_particles(SceneChoice const& choice);
-  std::vector<double> released_energy() const;
   void load(double const* state);
   void place_walls(double time, double const* displacements);
   void require_order(double time) const;

@@ -5,7 +5,7 @@
 
 #include "formulations/basics/parallel.hpp"
 #include "harness/scene/choices.hpp"
-#include "harness/scene/place.hpp"
+#include "harness/scene/initial_particles.hpp"
 #include "harness/scene/wall_geometry.hpp"
 
 namespace sphverify {
@@ -24,19 +24,12 @@ Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
 
 template <int Dim>
 void Scene<Dim>::place_particles(SceneChoice const& choice) {
-  Layout<Dim> layout = place(problem_, choice.discretisation.layout, choice.resolution);
+  InitialParticles<Dim> start =
+      initial_particles(problem_, choice.discretisation, choice.resolution, choice.smoothing_ratio);
   ++passes_["layout"];
-  spacing_ = layout.spacing;
-  particles_ = Particles<Dim>(layout.volumes.size(), choice.smoothing_ratio * spacing_);
-  particles_.set_kernel(kernel(choice.discretisation.kernel, Dim));
-  auto const& density = problem_.scalars.at(Field::density);
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    particles_.masses()[i] = density(layout.positions[i], 0.0) * layout.volumes[i];
-  }
-  cut_cells_ = cut_cells(problem_, layout, choice.discretisation.layout);
-  for (CutCell<Dim> const& cell : cut_cells_)
-    particles_.masses()[cell.particle] = mean_density(cell) * cell.volume;
-  particles_.positions() = std::move(layout.positions);
+  spacing_ = start.spacing;
+  particles_ = std::move(start.particles);
+  cut_cells_ = std::move(start.cut_cells);
   particles_.allocate(needed_fields(scheme()));
   // What the scene itself looks at, whatever the scheme reads.
   particles_.allocate(Field::density);
@@ -56,7 +49,7 @@ void Scene<Dim>::find_geometry(SceneChoice const& choice) {
   if (rule == DensityRule::given) {
     auto const& given = problem_.scalars.at(Field::density);
     for (std::size_t i = 0; i < density.size(); ++i) density[i] = given(particles_.positions()[i], 0.0);
-    for (CutCell<Dim> const& cell : cut_cells_) density[cell.particle] = mean_density(cell);
+    for (CutCell<Dim> const& cell : cut_cells_) density[cell.particle] = mean_density(problem_, cell);
   } else {
     sum_density(particles_, geometry_.neighbours, problem_.domain, threads_);
     ++passes_["density-summation"];
@@ -94,23 +87,9 @@ void Scene<Dim>::set_fields() {
 }
 
 template <int Dim>
-double Scene<Dim>::mean_density(CutCell<Dim> const& cell) const {
-  auto const& density = problem_.scalars.at(Field::density);
-  return cell.mean([&](Vector<Dim> const& x) { return density(x, 0.0); });
-}
-
-/// A cell of two materials, one behind the other, conducts as both in series: resistances 1/K add up.
-template <int Dim>
 void Scene<Dim>::set_conductivity() {
-  auto const& T = particles_.scalar(Field::temperature);
-  auto& K = particles_.scalar(Field::conductivity);
-  for_each_row(K.size(), threads_,
-               [&](std::size_t i) { K[i] = problem_.conductivity(particles_.positions()[i], T[i]); });
-  for (CutCell<Dim> const& cell : cut_cells_) {
-    double const at = T[cell.particle];
-    K[cell.particle] =
-        1.0 / cell.mean([&](Vector<Dim> const& x) { return 1.0 / problem_.conductivity(x, at); });
-  }
+  fill_conductivity(problem_, particles_.positions(), cut_cells_, particles_.scalar(Field::temperature), threads_,
+                    particles_.scalar(Field::conductivity));
   ++passes_["conductivity"];
 }
 

@@ -78,7 +78,6 @@ class Scene {
   void find_geometry(SceneChoice const& choice);
   void set_fields();
   void set_conductivity();
-  double mean_density(CutCell<Dim> const& cell) const;
 
   Problem<Dim> problem_;
   std::unique_ptr<RateOperator<Dim>> operator_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formulations/rate_operator.hpp"
+#include "harness/codes/external_code.hpp"
 #include "harness/study/memory.hpp"
 #include "harness/study/wall_facts.hpp"
 
@@ -21,6 +22,9 @@ std::string without_work(FormulationChoice const& formulation) {
 
 /// Why a formulation cannot run on a case; empty if it can.
 std::string mismatch(CaseInfo const& scene_case, FormulationChoice const& formulation) {
+  if (is_external(formulation.id)) {
+    return scene_case.kind == CaseKind::rates ? "an operator case has no time for a code to run: `evaluate` compares rates" : "";
+  }
   Rate const rate = find_scheme(formulation.id)->rate;
   bool const is_momentum = rate == Rate::acceleration;
   switch (scene_case.kind) {
@@ -97,6 +101,7 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
   if (!formulation.walls && d.closure != study.closures.front()) {
     return "closure " + d.closure + " changes nothing without wall terms";
   }
+  if (is_external(formulation.id)) return "";
   if (scene_case.kind == CaseKind::rates) {
     if (d.integrator == study.integrators.front()) return "";
     return "integrator " + d.integrator + " changes nothing where no time passes";
@@ -156,6 +161,20 @@ std::vector<Discretisation> discretisations(Study const& study) {
   return all;
 }
 
+/// The study of which a code that is not ours takes part in: how it computes is its own, so that of each choice the first stands
+/// for all, beside which it is shown. Layout, h/dx and resolution make its initial particles.
+Study of_codes(Study study, CaseInfo const& info) {
+  auto const first_that = [](std::vector<std::string>& words, auto const& fits) {
+    auto const found = std::find_if(words.begin(), words.end(), fits);
+    if (found != words.end()) words = {*found};
+  };
+  first_that(study.densities, [&](std::string const& word) { return suits(info.kind, word); });
+  first_that(study.integrators, [&](std::string const& word) { return word == "auto" || integrates(info.kind, word); });
+  study.viscosities.resize(1);
+  for (auto* words : {&study.kernels, &study.face_weights, &study.closures, &study.smoothings, &study.wall_motions}) words->resize(1);
+  return study;
+}
+
 /// The viscosities to run a case with; particles at rest have none.
 std::vector<ViscosityChoice> viscosities(Study const& study, CaseInfo const& scene_case) {
   if (!moves(scene_case.kind)) return {{}};
@@ -192,7 +211,8 @@ Expansion expand(Study const& study) {
         skip_once({info.id, label_of(formulation), reason});
         continue;
       }
-      if (moves(info.kind) && formulation.work.empty())
+      auto const code = study.code_of(formulation.id);
+      if (moves(info.kind) && formulation.work.empty() && !code)
         formulation.work = find_scheme(named.id)->work_partner;
       std::string const label = label_of(formulation);
       std::string missing;
@@ -207,8 +227,10 @@ Expansion expand(Study const& study) {
         skip_once({info.id, label, reference_only});
         continue;
       }
+      Study const of_code = code ? of_codes(study, info) : Study{};
+      Study const& choices = code ? of_code : study;
       std::vector<Discretisation> taken;
-      for (Discretisation d : discretisations(study)) {
+      for (Discretisation d : discretisations(choices)) {
         if (!moves(info.kind)) {
           if (is_repeated_at_rest(study, d)) continue;
           d.smoothing = "uniform";
@@ -222,7 +244,7 @@ Expansion expand(Study const& study) {
           continue;
         }
         if (d.integrator == "auto") d.integrator = info.discontinuous ? "leapfrog" : "runge-kutta";
-        for (ViscosityChoice const& viscosity : viscosities(study, info)) {
+        for (ViscosityChoice const& viscosity : viscosities(choices, info)) {
           d.viscosity = viscosity;
           // Two words may come to the same, such as auto and leapfrog.
           if (std::find(taken.begin(), taken.end(), d) != taken.end()) continue;
@@ -231,7 +253,7 @@ Expansion expand(Study const& study) {
             for (int const resolution : study.resolutions) {
               double const ratio = d.smoothing_ratio * std::pow(resolution / coarsest, exponent);
               expansion.runs.push_back(
-                  {one.scene_case, one.parameters, formulation, label, d, exponent, resolution, ratio});
+                  {one.scene_case, one.parameters, formulation, label, d, exponent, resolution, ratio, code});
             }
           }
         }

@@ -37,7 +37,7 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   bool const drives_ratio = study.envelope && study.envelope->parameter == "smoothing_ratio";
   bool const drives_amplitude = study.envelope && study.envelope->parameter == "amplitude";
   auto const use = [&](bool is_used, char const* key, auto const& value) {
-    if (is_used) used.insert(std::string(key) + "=" + text_of(value));
+    if (is_used && !run.code) used.insert(std::string(key) + "=" + text_of(value));
   };
   bool const is_gas = moves(run.scene_case->info.kind);
   use(true, "density", d.density);

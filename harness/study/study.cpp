@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 #include "harness/scene/choices.hpp"
@@ -13,6 +12,7 @@
 #include "harness/study/read_case.hpp"
 #include "harness/study/read_envelope.hpp"
 #include "harness/study/read_formulation.hpp"
+#include "harness/study/read_layout.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -45,54 +45,6 @@ std::vector<std::string> measure_names() {
   std::vector<std::string> names;
   for (MeasureWord const& word : measure_words()) names.emplace_back(word.word);
   return names;
-}
-
-/// Of clumped and touching layouts, in particle spacings.
-constexpr double default_separation = 0.1;
-constexpr double default_gap = 1e-12;
-
-std::vector<LayoutChoice> read_layout(Node const& node) {
-  std::vector<std::string> const ids{"lattice",    "jittered",  "clumped",      "touching",
-                                     "equal-mass", "hexagonal", "close-packed", "glass"};
-  if (node.is_string()) {
-    std::string const id = node.word(ids);
-    if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
-    if (id == "glass") node.complain(R"({"id": "glass", "seed": ...})");
-    if (id == "clumped") return {{id, default_separation}};
-    if (id == "touching") return {{id, default_gap}};
-    return {{id}};
-  }
-  node.require_keys({"id", "amplitude", "seed", "seeds", "separation", "gap"});
-  std::string const id = node.at("id").word(ids);
-  if (id == "clumped" || id == "touching") {
-    bool const clumps = id == "clumped";
-    std::string const key = clumps ? "separation" : "gap";
-    node.require_keys({"id", key});
-    auto const distance = node.find(key);
-    if (!distance) return {{id, clumps ? default_separation : default_gap}};
-    return {{id, distance->number_between(1e-15, clumps ? 1.0 : 0.5)}};
-  }
-  node.require_keys({"id", "amplitude", "seed", "seeds"});
-  if (id != "jittered" && id != "glass") {
-    node.require_keys({"id"});
-    return {{id}};
-  }
-  node.require_keys(id == "glass" ? std::vector<std::string>{"id", "seed", "seeds"}
-                                  : std::vector<std::string>{"id", "amplitude", "seed", "seeds"});
-  double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
-  if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
-  auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
-  if (id == "jittered" && amplitude == 0.0 && seeds.size() > 1)
-    node.at("seeds").complain("one seed: with an amplitude of 0 all of them give the same particles");
-  std::vector<LayoutChoice> layouts;
-  for (Node const& seed : seeds) {
-    auto const value = static_cast<std::uint64_t>(seed.integer(0, std::numeric_limits<std::int64_t>::max()));
-    LayoutChoice const layout{id, amplitude, value};
-    if (std::find(layouts.begin(), layouts.end(), layout) != layouts.end())
-      seed.complain("every seed only once");
-    layouts.push_back(layout);
-  }
-  return layouts;
 }
 
 /// A key of the discretisation with its default; the rarer ones may also stand at the top of the document.
@@ -214,12 +166,29 @@ RepeatRule read_repeat(Node const& node) {
   return rule;
 }
 
+/// Whether a formulation is a code that the study runs.
+bool names_external(Node const& node) {
+  if (node.is_string()) {
+    if (is_external(node.string())) node.complain(R"({"id": "external/NAME", "command": [...]}: what is to be run)");
+    return false;
+  }
+  auto const id = node.is_object() ? node.find("id") : std::nullopt;
+  return id && id->is_string() && is_external(id->string());
+}
+
 Json to_json(RepeatRule const& rule) {
   if (rule.spread == 0.0) return rule.most;
   return {{"most", rule.most}, {"least", rule.least}, {"spread", rule.spread}, {"seconds", rule.seconds}};
 }
 
 }  // namespace
+
+std::shared_ptr<ExternalCode const> Study::code_of(std::string const& formulation) const {
+  for (auto const& code : codes) {
+    if (code->id == formulation) return code;
+  }
+  return nullptr;
+}
 
 Study read_study(Node const& document) {
   document.require_document("sphverify-study/1",
@@ -247,7 +216,13 @@ Study read_study(Node const& document) {
     for (Node const& library : plugins->one_or_many()) load_plugin_named(library, study.plugins);
   }
   for (Node const& node : document.at("formulations").one_or_many()) {
-    FormulationChoice const f = read_study_formulation(node, study.plugins);
+    FormulationChoice f;
+    if (names_external(node)) {
+      study.codes.push_back(std::make_shared<ExternalCode const>(read_external_code(node)));
+      f.id = study.codes.back()->id;
+    } else {
+      f = read_study_formulation(node, study.plugins);
+    }
     if (std::find(study.formulations.begin(), study.formulations.end(), f) != study.formulations.end()) {
       node.complain("every formulation only once");
     }
@@ -341,7 +316,10 @@ Json to_json(Study const& study) {
         {{"id", one.scene_case->info.id}, {"parameters", parameters_json(one.parameters.all())}});
   }
   if (!study.plugins.empty()) json["plugins"] = study.plugins;
-  for (FormulationChoice const& f : study.formulations) json["formulations"].push_back(to_json(f));
+  for (FormulationChoice const& f : study.formulations) {
+    ExternalCode const* const code = study.code_of(f.id).get();
+    json["formulations"].push_back(code ? to_json(*code) : to_json(f));
+  }
   Json layouts = Json::array();
   for (LayoutChoice const& layout : study.layouts) layouts.push_back(to_json(layout));
   json["discretisation"] = {{"kernel", study.kernels},

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "harness/codes/external_code.hpp"
 #include "harness/run/run.hpp"
 #include "harness/study/envelope.hpp"
 #include "reports/json/node.hpp"
@@ -21,6 +23,7 @@ struct Study {
   std::vector<StudyCase> cases;
   std::vector<std::string> plugins;  ///< paths of the shared libraries that it takes formulations from
   std::vector<FormulationChoice> formulations;
+  std::vector<std::shared_ptr<ExternalCode const>> codes;  ///< those of the formulations that are not ours
   std::vector<std::string> kernels, densities, face_weights, closures, integrators, smoothings, wall_motions;
   std::vector<std::optional<ViscosityChoice>> viscosities;  ///< empty: as the case needs
   std::vector<double> smoothing_ratios;
@@ -31,6 +34,10 @@ struct Study {
   int threads = 1;
   RepeatRule repeat;
   double time_budget = 0.0;
+
+  /// Null for a formulation of ours.
+  std::shared_ptr<ExternalCode const> code_of(std::string const& formulation) const;
+
   std::optional<EnvelopeChoice> envelope;  ///< instead of single runs, how far each can be driven
 };
 

@@ -22,6 +22,14 @@ struct Words {
     throw std::invalid_argument("unknown word '" + std::string(word) + "'");
   }
 
+  /// Expects one of the values.
+  constexpr std::string_view word(Enum value) const {
+    for (auto const& [name, known] : entries) {
+      if (known == value) return name;
+    }
+    throw std::invalid_argument("a value without a word");
+  }
+
   std::vector<std::string> all() const {
     std::vector<std::string> words;
     for (auto const& entry : entries) words.emplace_back(entry.first);

@@ -213,6 +213,7 @@ RunRecord read_run(Node const& node) {
   r.smoothing_length = size_of(node.at("smoothing_length"));
   r.status = node.at("status").word(run_statuses);
   r.reason = optional_string(node.at("reason"));
+  if (auto const output = node.find("output")) r.output = output->string();
   if (auto const remarks = node.find("remarks")) {
     for (Node const& remark : remarks->elements()) r.remarks.push_back(remark.string());
   }

@@ -331,6 +331,7 @@ Json to_json(RunRecord const& r) {
   json["status"] = r.status;
   json["reason"] = r.reason.empty() ? Json(nullptr) : Json(r.reason);
   json["remarks"] = r.remarks;
+  if (!r.output.empty()) json["output"] = r.output;
   Json passes = Json::array();
   Json counts = Json::object();
   for (auto const& [pass, times] : r.scene.passes) {

@@ -1,0 +1,39 @@
+#include <memory>
+
+#include "harness/cli/commands.hpp"
+#include "harness/codes/assess.hpp"
+#include "harness/study/say.hpp"
+#include "reports/json/results_json.hpp"
+
+namespace sphverify {
+
+namespace {
+
+struct AssessCommand {
+  std::string document, output = "-";
+};
+
+void run(AssessCommand const& command) {
+  require_writable(command.output, command.document);
+  Json const json = read_json_file(command.document);
+  Results const results = assess(Node(json, command.document));
+  write_document(command.output, document_text(to_json(results)));
+  say_how_it_went(results.runs);
+}
+
+}  // namespace
+
+void add_assess(CLI::App& app) {
+  auto command = std::make_shared<AssessCommand>();
+  CLI::App* sub = app.add_subcommand("assess", "Measures what another code computed of a case, from its snapshots");
+  sub->add_option("SNAPSHOTS.json", command->document, "Which files are of which resolution and time; - for standard input")
+      ->required();
+  sub->add_option("-o,--output", command->output, "Where the results go; standard output by default");
+  sub->footer(
+      "Reads CSV, and the HDF5 of SWIFT, Gadget, GIZMO and PySPH. The results go into compare, gate and report like those of a "
+      "study, alone or beside them.\n"
+      "Example: sphverify assess snapshots.json -o results.json");
+  sub->callback([command] { run(*command); });
+}
+
+}  // namespace sphverify

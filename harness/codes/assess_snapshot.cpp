@@ -1,0 +1,297 @@
+#include "harness/codes/assess_snapshot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "formulations/density/density.hpp"
+#include "formulations/neighbours/cell_grid.hpp"
+#include "harness/codes/code_budgets.hpp"
+#include "harness/codes/read_snapshot.hpp"
+#include "harness/measure/norms.hpp"
+#include "harness/measure/shock.hpp"
+#include "harness/run/compared.hpp"
+#include "harness/run/error_context.hpp"
+#include "harness/run/exact_fields.hpp"
+#include "harness/scene/initial_particles.hpp"
+#include "harness/scene/place.hpp"
+#include "reports/user_error.hpp"
+
+namespace sphverify {
+
+namespace {
+
+constexpr double double_round_off = 64.0 * std::numeric_limits<double>::epsilon();
+constexpr double mass_slack = 0.05;      // of the case's mass, that another layout may hold more or less
+constexpr int resolution_of_mass = 48;   // of the lattice with which that mass is found
+
+struct ScalarColumn {
+  Field field;
+  char const* column;
+};
+
+/// Those that a case compares, of which the code may have some.
+std::vector<ScalarColumn> scalars_of(CaseKind kind) {
+  std::vector<ScalarColumn> all;
+  if (moves(kind)) all = {{Field::density, "rho"}, {Field::pressure, "P"}, {Field::internal_energy, "e"}};
+  if (kind != CaseKind::hydro) all.push_back({Field::temperature, "T"});
+  return all;
+}
+
+template <int Dim>
+class Assessment {
+ public:
+  Assessment(AssessedCase const& one, Problem<Dim> const& problem, SnapshotOptions const& options, MeasureSet measure,
+             RunRecord& record)
+      : case_(one),
+        problem_(problem),
+        kernel_(kernel(one.discretisation.kernel, Dim)),
+        options_(options),
+        measure_(measure),
+        record_(record),
+        spacing_(spacing_of(problem.domain, one.discretisation.layout, one.resolution)) {}
+
+  void assess(std::vector<Snapshot> history) {
+    for (Snapshot& one : history) fit_to_domain(one, options_, problem_.domain, kernel_, problem_.gamma);
+    for (Snapshot& one : history) drop_outside(one);
+    Snapshot const& last = history.back();
+    record_.remarks.insert(record_.remarks.end(), last.remarks.begin(), last.remarks.end());
+    record_.particles = last.size();
+    record_.spacing = spacing_;
+    record_.smoothing_length = case_.smoothing_ratio * spacing_;
+    for (auto const& [name, values] : last.columns) record_.scene.fields.push_back(name);
+    if (std::string const why = not_finite(last, {"x", "y", "z", "m", "h"}); !why.empty()) {
+      mark_not_finite(record_, why);
+      return;
+    }
+    require_sense(last);
+    Particles<Dim> const particles = particles_of(last);
+    measure(particles, last);
+    if (measure_.contains(Measure::conservation))
+      measure_code_budgets(problem_, case_.scene_case->info.kind, history, measure_.contains(Measure::history), record_);
+  }
+
+ private:
+  static std::string not_finite(Snapshot const& s, std::vector<std::string> const& columns) {
+    for (std::string const& name : columns) {
+      auto const found = s.columns.find(name);
+      if (found == s.columns.end()) continue;
+      for (std::size_t i = 0; i < found->second.size(); ++i) {
+        if (!std::isfinite(found->second[i])) return fmt::format("{} of particle {} is {}", name, i, found->second[i]);
+      }
+    }
+    return "";
+  }
+
+  Vector<Dim> place(Snapshot const& s, std::size_t i) const {
+    Vector<Dim> x;
+    for (int k = 0; k < Dim; ++k) x[k] = s.columns.at(position_columns[static_cast<std::size_t>(k)])[i];
+    return x;
+  }
+
+  /// How far a particle is outside of a wall whose place is known [m]: the walls of what stands still, and those that stand or
+  /// go on a path.
+  double outside(Snapshot const& s, std::size_t i) const {
+    double most = 0.0;
+    for (Wall<Dim> const& wall : problem_.walls) {
+      if (!wall.path && moves(case_.scene_case->info.kind) && !wall.velocity) continue;
+      Wall<Dim> now = wall;
+      if (wall.path) now.point = wall.path(s.time.value_or(problem_.final_time));
+      most = std::max(most, -now.distance(place(s, i)));
+    }
+    return most;
+  }
+
+  void drop_outside(Snapshot& s) const {
+    // A gas may lean against a wall a little beyond it; what stands still may not.
+    double const allowed = moves(case_.scene_case->info.kind) ? 0.5 * spacing_ : 1e-6 * spacing_;
+    std::vector<char> keep(s.size(), 1);
+    std::size_t out = 0;
+    for (std::size_t i = 0; i < s.size(); ++i) {
+      double const by = outside(s, i);
+      if (!(by > allowed)) continue;
+      if (!options_.drops_outside) {
+        throw UserError(s.file, "", fmt::format("particle {} {:.3g} m outside of a wall, at {}", i, by, text_of(place(s, i))),
+                        "particles in the domain; \"outside\": \"drop\" leaves out those of walls");
+      }
+      keep[i] = 0;
+      ++out;
+    }
+    if (out == 0) return;
+    keep_only(s, keep);
+    s.remarks.push_back(fmt::format("{} particles outside of the walls left out", out));
+  }
+
+  static std::string text_of(Vector<Dim> const& x) { return fmt::format("{:.6g}", fmt::join(x.begin(), x.end(), ":")); }
+
+  /// Refuses what cannot be this case's particles.
+  void require_sense(Snapshot const& s) const {
+    if (s.size() == 0) throw UserError(s.file, "", "no particles in the domain", "those of the case");
+    for (char const* name : {"m", "h", "rho"}) {
+      if (!s.has(name)) continue;
+      auto const& values = s.columns.at(name);
+      auto const wrong = std::find_if(values.begin(), values.end(), [](double v) { return v <= 0.0; });
+      if (wrong != values.end())
+        throw UserError(s.file, name, fmt::format("{} of particle {}", *wrong, wrong - values.begin()), "a positive number");
+    }
+    Discretisation const lattice;
+    InitialParticles<Dim> const start =
+        initial_particles(problem_, lattice, Dim == 3 ? resolution_of_mass / 2 : resolution_of_mass, 1.0);
+    double expected = 0.0;
+    double found = 0.0;
+    for (double const m : start.particles.masses()) expected += m;
+    for (double const m : s.columns.at("m")) found += m;
+    double const slack = mass_slack + 2.0 / case_.resolution;
+    if (std::abs(found - expected) <= slack * expected) return;
+    throw UserError(s.file, "m", fmt::format("{} particles with a mass of {:.6g} together", s.size(), found),
+                    fmt::format("about {:.6g}, as {} begins with{}", expected, case_.scene_case->info.id,
+                                found < expected ? " (are some missing?)" : ""));
+  }
+
+  Particles<Dim> particles_of(Snapshot const& s) const {
+    Particles<Dim> particles(s.size(), record_.smoothing_length);
+    particles.set_kernel(kernel_);
+    for (std::size_t i = 0; i < s.size(); ++i) particles.positions().set(i, place(s, i));
+    particles.masses() = s.columns.at("m");
+    if (s.has("h")) {
+      particles.vary_smoothing_length();
+      particles.smoothing_lengths() = s.columns.at("h");
+    }
+    particles.allocate(Field::density);
+    particles.scalar(Field::density) = s.has("rho") ? s.columns.at("rho")
+                                                    : sample(problem_.scalars.at(Field::density), particles, problem_.final_time);
+    for (ScalarColumn const& one : scalars_of(case_.scene_case->info.kind)) {
+      if (!s.has(one.column)) continue;
+      particles.allocate(one.field);
+      particles.scalar(one.field) = s.columns.at(one.column);
+    }
+    if (moves(case_.scene_case->info.kind) && s.has("vx")) {
+      particles.allocate(Field::velocity);
+      for (int k = 0; k < Dim; ++k)
+        particles.vector(Field::velocity).component(k) = s.columns.at(velocity_columns[static_cast<std::size_t>(k)]);
+    }
+    if (!s.has("rho") && options_.sums_density) sum_the_density(particles);
+    return particles;
+  }
+
+  void sum_the_density(Particles<Dim>& particles) const {
+    SmoothingLength const h(particles);
+    CellGrid<Dim> const grid(particles.positions(), problem_.domain, kernel_.support_ratio() * h.largest());
+    particles.scalar(Field::density) = summation_density(grid, h, particles.masses());
+    record_.remarks.push_back(fmt::format("rho summed with the {} kernel", kernel_.id()));
+  }
+
+  double rounding_of(Snapshot const& s, std::string const& column) const {
+    auto const found = s.rounding.find(column);
+    return std::max(double_round_off, found == s.rounding.end() ? 0.0 : found->second);
+  }
+
+  /// A wall that the gas takes along is where the exact velocity has carried it.
+  std::vector<Wall<Dim>> walls_now() const {
+    constexpr int steps = 200;
+    std::vector<Wall<Dim>> walls = problem_.walls;
+    bool const is_gas = moves(case_.scene_case->info.kind);
+    for (Wall<Dim>& wall : walls) {
+      if (wall.path) {
+        wall.point = wall.path(problem_.final_time);
+      } else if (is_gas && problem_.vectors.contains(Field::velocity)) {
+        auto const& v = problem_.vectors.at(Field::velocity);
+        double const dt = problem_.final_time / steps;
+        for (int k = 0; k < steps; ++k) {
+          Vector<Dim> const half = wall.point + 0.5 * dt * v(wall.point, k * dt);
+          Vector<Dim> const step = dt * v(half, (k + 0.5) * dt);
+          wall.point += step.dot(wall.outward_normal) * wall.outward_normal;
+        }
+      }
+    }
+    return walls;
+  }
+
+  void measure(Particles<Dim> const& particles, Snapshot const& s) {
+    double const t = problem_.final_time;
+    auto const volumes = exact_volumes(problem_, particles, t);
+    auto const counts = [&](std::size_t i) { return !problem_.holds || problem_.holds(particles.positions()[i], t); };
+    auto const places = regions(particles, walls_now(), counts, final_features(problem_), smooth_margin(problem_.domain));
+    std::map<Field, std::vector<double>> exact;
+    std::vector<ComparedField> fields;
+    std::map<std::string, double> round_off;
+    for (ScalarColumn const& one : scalars_of(case_.scene_case->info.kind)) {
+      bool const has_it = s.has(one.column) || (one.field == Field::density && options_.sums_density);
+      if (!has_it || !problem_.scalars.contains(one.field)) continue;
+      exact[one.field] = sample(problem_.scalars.at(one.field), particles, t);
+      fields.push_back({info(one.field).name, {particles.scalar(one.field)}, {exact[one.field]}});
+      round_off[std::string(info(one.field).name)] = rounding_of(s, one.column) * largest_magnitude(exact[one.field]);
+    }
+    VectorField<Dim> velocity;
+    if (particles.has(Field::velocity)) {
+      velocity = sample(problem_.vectors.at(Field::velocity), particles, t);
+      fields.push_back({"velocity", components(particles.vector(Field::velocity)), components(velocity)});
+      double largest = 0.0;
+      for (int k = 0; k < Dim; ++k) largest = larger(largest, largest_magnitude(velocity.component(k)));
+      round_off["velocity"] = rounding_of(s, "vx") * largest;
+    }
+    if (fields.empty()) {
+      std::string names;
+      for (ScalarColumn const& one : scalars_of(case_.scene_case->info.kind)) names += std::string(" ") + one.column;
+      if (moves(case_.scene_case->info.kind)) names += " vx";
+      throw UserError(s.file, "", "no field that the case compares", "one or more of" + names);
+    }
+    require_finite(record_, fields, volumes, places);
+    if (measure_.contains(Measure::error)) {
+      for (ComparedField const& field : fields) {
+        std::string const name(field.name);
+        record_.errors[name] = field_errors(field.computed, field.exact, volumes, places, round_off.at(name));
+      }
+      add_error_context(problem_, particles, volumes, places, record_.errors);
+      if (problem_.shocks && particles.has(Field::velocity) && s.has("P") && s.has("rho")) {
+        for (ShockFront const& front : problem_.shocks(t)) record_.shocks.push_back(measure_shock(particles, front));
+      }
+    }
+    if (measure_.contains(Measure::profile)) record_.profile = make_profile(particles, fields, volumes, places);
+  }
+
+  AssessedCase const& case_;
+  Problem<Dim> const& problem_;
+  Kernel const& kernel_;
+  SnapshotOptions const& options_;
+  MeasureSet measure_;
+  RunRecord& record_;
+  double spacing_;
+};
+
+/// The problem as it is at the time of the snapshot that is judged.
+AnyProblem at_time(AssessedCase const& one, Snapshot const& last) {
+  double const end = std::visit([](auto const& p) { return p.final_time; }, one.problem);
+  double const t = last.time.value_or(end);
+  if (!(std::abs(t - end) <= time_slack * end)) {
+    throw UserError(last.file, "time", fmt::format("{}", t),
+                    fmt::format("{} within {}%, the case's final time (final_time among its parameters, where it has one)", end,
+                                100.0 * time_slack));
+  }
+  if (t == end) return one.problem;
+  Parameters shifted = one.parameters;
+  if (shifted.all().contains("final_time")) shifted.set("final_time", t);
+  AnyProblem problem = one.scene_case->problem(shifted);
+  std::visit([&](auto& p) { p.final_time = t; }, problem);
+  return problem;
+}
+
+}  // namespace
+
+void assess_snapshots(AssessedCase const& one, std::vector<Snapshot> history, SnapshotOptions const& options,
+                      MeasureSet measure, RunRecord& record) {
+  AnyProblem const problem = at_time(one, history.back());
+  std::visit(
+      [&]<int Dim>(Problem<Dim> const& p) {
+        double const end = std::get<Problem<Dim>>(one.problem).final_time;
+        if (p.final_time != end)
+          record.remarks.push_back(fmt::format("compared at its own time, {:.9g}, not at {:.9g}", p.final_time, end));
+        if (!p.not_run_because.empty()) throw UserError("case: " + p.not_run_because);
+        Assessment<Dim>(one, p, options, measure, record).assess(std::move(history));
+      },
+      problem);
+}
+
+}  // namespace sphverify

@@ -1,0 +1,201 @@
+#include "harness/codes/hdf5/file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <mutex>
+#include <numeric>
+
+#include "reports/user_error.hpp"
+
+namespace sphverify::hdf5 {
+
+namespace {
+
+/// The library tells of every failure on standard error unless it is asked not to.
+void be_quiet() {
+  static std::once_flag once;
+  std::call_once(once, [] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); });
+}
+
+using Group = Handle<H5Gclose>;
+using Object = Handle<H5Oclose>;
+using Attribute = Handle<H5Aclose>;
+using Set = Handle<H5Dclose>;
+using Type = Handle<H5Tclose>;
+using Space = Handle<H5Sclose>;
+using Properties = Handle<H5Pclose>;
+
+bool is_number(hid_t type) {
+  H5T_class_t const kind = H5Tget_class(type);
+  return kind == H5T_INTEGER || kind == H5T_FLOAT;
+}
+
+}  // namespace
+
+InputFile::InputFile(std::string const& path) : path_(path) {
+  be_quiet();
+  Properties const access(H5Pcreate(H5P_FILE_ACCESS));
+  file_ = Handle<H5Fclose>(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access));
+  if (!file_.is_open()) throw UserError(path, "", "an HDF5 file that cannot be opened (cut short?)", "a whole one");
+}
+
+bool InputFile::has(std::string const& place) const {
+  for (std::size_t end = place.find('/'); ; end = place.find('/', end + 1)) {
+    std::string const part = place.substr(0, end);
+    if (!part.empty() && H5Lexists(file_, part.c_str(), H5P_DEFAULT) <= 0) return false;
+    if (end == std::string::npos) break;
+  }
+  return H5Oexists_by_name(file_, place.c_str(), H5P_DEFAULT) > 0;
+}
+
+std::vector<std::string> InputFile::names(std::string const& place, std::size_t most) const {
+  Group const group(H5Gopen2(file_, place.c_str(), H5P_DEFAULT));
+  H5G_info_t info{};
+  if (!group.is_open() || H5Gget_info(group, &info) < 0) throw UserError(path_, place, "no such group", "one");
+  if (info.nlinks > most)
+    throw UserError(path_, place, fmt::format("{} groups", info.nlinks), fmt::format("at most {}", most));
+  std::vector<std::string> names;
+  for (hsize_t k = 0; k < info.nlinks; ++k) {
+    ssize_t const length = H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, nullptr, 0, H5P_DEFAULT);
+    if (length < 0) continue;
+    std::string name(static_cast<std::size_t>(length) + 1, '\0');
+    H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, name.data(), name.size(), H5P_DEFAULT);
+    name.pop_back();
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+namespace {
+
+Attribute open_attribute(hid_t file, std::string const& place, std::string const& name) {
+  if (H5Aexists_by_name(file, place.c_str(), name.c_str(), H5P_DEFAULT) <= 0) return Attribute();
+  return Attribute(H5Aopen_by_name(file, place.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> InputFile::numbers(std::string const& place, std::string const& name) const {
+  if (!has(place) && place != "/") return std::nullopt;
+  Attribute const attribute = open_attribute(file_, place, name);
+  if (!attribute.is_open()) return std::nullopt;
+  Type const type(H5Aget_type(attribute));
+  Space const space(H5Aget_space(attribute));
+  hssize_t const count = H5Sget_simple_extent_npoints(space);
+  if (!is_number(type) || count < 1 || count > 1024) return std::nullopt;
+  std::vector<double> values(static_cast<std::size_t>(count));
+  if (H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
+  return values;
+}
+
+std::optional<std::string> InputFile::text(std::string const& place, std::string const& name) const {
+  if (!has(place) && place != "/") return std::nullopt;
+  Attribute const attribute = open_attribute(file_, place, name);
+  if (!attribute.is_open()) return std::nullopt;
+  Type const type(H5Aget_type(attribute));
+  if (H5Tget_class(type) != H5T_STRING) return std::nullopt;
+  if (H5Tis_variable_str(type) > 0) {
+    char* pointer = nullptr;
+    Type const memory(H5Tcopy(H5T_C_S1));
+    H5Tset_size(memory, H5T_VARIABLE);
+    H5Tset_cset(memory, H5Tget_cset(type));
+    if (H5Aread(attribute, memory, &pointer) < 0 || pointer == nullptr) return std::nullopt;
+    std::string value(pointer);
+    H5free_memory(pointer);
+    return value;
+  }
+  std::string value(H5Tget_size(type), '\0');
+  if (value.size() > 4096 || H5Aread(attribute, type, value.data()) < 0) return std::nullopt;
+  return value.substr(0, value.find('\0'));
+}
+
+DataSet InputFile::read(std::string const& place) const {
+  Set const set(H5Dopen2(file_, place.c_str(), H5P_DEFAULT));
+  if (!set.is_open()) throw UserError(path_, place, "no data set", "a list of numbers");
+  Type const type(H5Dget_type(set));
+  Space const space(H5Dget_space(set));
+  int const rank = H5Sget_simple_extent_ndims(space);
+  if (!is_number(type) || rank < 1 || rank > 2)
+    throw UserError(path_, place, "something else", "a list of numbers, or of vectors");
+  std::array<hsize_t, 2> extent{0, 1};
+  H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  DataSet data;
+  data.rows = extent[0];
+  data.columns = extent[1];
+  if (data.columns > 16) throw UserError(path_, place, fmt::format("{} columns", data.columns), "at most 16");
+  data.is_single = H5Tget_class(type) == H5T_FLOAT && H5Tget_size(type) < sizeof(double);
+  data.values.resize(data.rows * data.columns);
+  if (data.rows > 0 && H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0)
+    throw UserError(path_, place, "numbers that cannot be read (cut short?)", "a whole file");
+  return data;
+}
+
+OutputFile::OutputFile(std::string const& path) : path_(path) {
+  be_quiet();
+  file_ = Handle<H5Fclose>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  if (!file_.is_open()) throw UserError(path, "", "a place that cannot be written", "a file that can");
+}
+
+void OutputFile::group(std::string const& place) {
+  Group const made(H5Gcreate2(file_, place.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+}
+
+void OutputFile::write(std::string const& place, std::vector<double> const& values, std::size_t columns) {
+  std::array<hsize_t, 2> const extent{values.size() / columns, columns};
+  Space const space(H5Screate_simple(columns == 1 ? 1 : 2, extent.data(), nullptr));
+  Set const set(H5Dcreate2(file_, place.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  if (!set.is_open() || H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0)
+    throw UserError(path_, place, "a file that cannot be written", "room for it");
+}
+
+void OutputFile::write_ids(std::string const& place, std::size_t count) {
+  std::vector<unsigned long long> ids(count);
+  std::iota(ids.begin(), ids.end(), 1ULL);
+  hsize_t const extent = count;
+  Space const space(H5Screate_simple(1, &extent, nullptr));
+  Set const set(H5Dcreate2(file_, place.c_str(), H5T_STD_U64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  if (!set.is_open() || H5Dwrite(set, H5T_NATIVE_ULLONG, H5S_ALL, H5S_ALL, H5P_DEFAULT, ids.data()) < 0)
+    throw UserError(path_, place, "a file that cannot be written", "room for it");
+}
+
+namespace {
+
+void put_attribute(hid_t file, std::string const& place, std::string const& name, hid_t stored, hid_t given, hid_t space,
+                   void const* values) {
+  Object const object(H5Oopen(file, place.c_str(), H5P_DEFAULT));
+  Attribute const attribute(H5Acreate2(object, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT));
+  H5Awrite(attribute, given, values);
+}
+
+/// One number is a scalar.
+Space space_of(std::size_t count) {
+  hsize_t const extent = count;
+  return Space(count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &extent, nullptr));
+}
+
+}  // namespace
+
+void OutputFile::attribute(std::string const& place, std::string const& name, std::vector<double> const& values) {
+  put_attribute(file_, place, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space_of(values.size()), values.data());
+}
+
+void OutputFile::attribute(std::string const& place, std::string const& name, std::vector<int> const& values) {
+  put_attribute(file_, place, name, H5T_STD_I32LE, H5T_NATIVE_INT, space_of(values.size()), values.data());
+}
+
+void OutputFile::attribute(std::string const& place, std::string const& name, std::string const& text) {
+  Type const type(H5Tcopy(H5T_C_S1));
+  H5Tset_size(type, std::max<std::size_t>(1, text.size()));
+  put_attribute(file_, place, name, type, type, space_of(1), text.c_str());
+}
+
+void OutputFile::close() {
+  bool const is_whole = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
+  file_ = Handle<H5Fclose>();
+  if (!is_whole) throw UserError(path_, "", "a file that cannot be written", "room for it");
+}
+
+}  // namespace sphverify::hdf5

@@ -1,0 +1,60 @@
+#include "harness/study/read_layout.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace sphverify {
+
+namespace {
+
+/// Of clumped and touching layouts, in particle spacings.
+constexpr double default_separation = 0.1;
+constexpr double default_gap = 1e-12;
+
+}  // namespace
+
+std::vector<LayoutChoice> read_layout(Node const& node) {
+  std::vector<std::string> const ids{"lattice",    "jittered",  "clumped",      "touching",
+                                     "equal-mass", "hexagonal", "close-packed", "glass"};
+  if (node.is_string()) {
+    std::string const id = node.word(ids);
+    if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
+    if (id == "glass") node.complain(R"({"id": "glass", "seed": ...})");
+    if (id == "clumped") return {{id, default_separation}};
+    if (id == "touching") return {{id, default_gap}};
+    return {{id}};
+  }
+  node.require_keys({"id", "amplitude", "seed", "seeds", "separation", "gap"});
+  std::string const id = node.at("id").word(ids);
+  if (id == "clumped" || id == "touching") {
+    bool const clumps = id == "clumped";
+    std::string const key = clumps ? "separation" : "gap";
+    node.require_keys({"id", key});
+    auto const distance = node.find(key);
+    if (!distance) return {{id, clumps ? default_separation : default_gap}};
+    return {{id, distance->number_between(1e-15, clumps ? 1.0 : 0.5)}};
+  }
+  node.require_keys({"id", "amplitude", "seed", "seeds"});
+  if (id != "jittered" && id != "glass") {
+    node.require_keys({"id"});
+    return {{id}};
+  }
+  node.require_keys(id == "glass" ? std::vector<std::string>{"id", "seed", "seeds"}
+                                  : std::vector<std::string>{"id", "amplitude", "seed", "seeds"});
+  double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
+  if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
+  auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
+  if (id == "jittered" && amplitude == 0.0 && seeds.size() > 1)
+    node.at("seeds").complain("one seed: with an amplitude of 0 all of them give the same particles");
+  std::vector<LayoutChoice> layouts;
+  for (Node const& seed : seeds) {
+    auto const value = static_cast<std::uint64_t>(seed.integer(0, std::numeric_limits<std::int64_t>::max()));
+    LayoutChoice const layout{id, amplitude, value};
+    if (std::find(layouts.begin(), layouts.end(), layout) != layouts.end())
+      seed.complain("every seed only once");
+    layouts.push_back(layout);
+  }
+  return layouts;
+}
+
+}  // namespace sphverify

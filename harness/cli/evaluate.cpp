@@ -5,40 +5,99 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
+#include "harness/codes/snapshot.hpp"
+#include "harness/evaluate/against.hpp"
+#include "harness/gate/gates.hpp"
 #include "harness/study/load_plugin.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/printable.hpp"
 
 namespace sphverify {
 
+namespace {
+
+struct EvaluateCommand {
+  std::string state, output, against;
+  std::vector<std::string> plugins, only;
+  double limit = 0.0;  ///< 0: by the precision of the state
+};
+
+// Of the largest rate: sums of some hundred terms, some of which nearly cancel.
+constexpr double double_limit = 1e-12;
+constexpr double single_limit = 64.0 * single_rounding;
+
+void say_remarks(std::string const& file, Json const& rates) {
+  if (Json const& open = rates.at("open_towards"); !open.is_null()) {
+    fmt::print(stderr, "{}: walls: they do not close: nothing bounds the particles towards {}\n", printable(file),
+               open.dump());
+  }
+  for (Json const& remark : rates.at("remarks"))
+    fmt::print(stderr, "{}: particles.smoothing_length: {}\n", printable(file), remark.get<std::string>());
+}
+
+std::string text_of(std::vector<double> const& rate) {
+  return rate.size() == 1 ? fmt::format("{:.9g}", rate.front()) : fmt::format("({:.9g})", fmt::join(rate, ", "));
+}
+
+/// A line for each list; whether all hold.
+bool say_comparison(std::vector<RateComparison> const& all, double limit) {
+  bool holds = !all.empty();
+  for (RateComparison const& one : all) {
+    holds = holds && one.holds;
+    std::string const what =
+        !one.problem.empty() ? one.problem
+        : one.holds          ? fmt::format("within {:g} of the largest (at most {:.2g} off)", limit, one.linf)
+                             : fmt::format("off by l1 {:.2e}, l2 {:.2e}, linf {:.2e} of the largest; worst is particle {}: {}, expected {}",
+                                           one.l1, one.l2, one.linf, one.worst, text_of(one.theirs), text_of(one.ours));
+    fmt::print("{} {} {}: {}\n", one.holds ? "passed" : "failed", printable(one.scheme), printable(one.quantity), printable(what));
+  }
+  return holds;
+}
+
+void evaluate(EvaluateCommand const& command) {
+  for (std::string const& path : command.plugins) load_plugin_for_user(path, path, "");
+  std::string const output = command.output.empty() && command.against.empty() ? "-" : command.output;
+  if (!output.empty()) require_writable(output, command.state);
+  std::set<std::string> only(command.only.begin(), command.only.end());
+  Json const state = read_json_file(command.state);
+  if (command.against.empty()) {
+    Json const rates = evaluate_state(Node(state, command.state), only);
+    say_remarks(command.state, rates);
+    return write_document(output, document_text(rates));
+  }
+  Json const theirs = read_json_file(command.against);
+  Node const node(theirs, command.against);
+  for (std::string const& scheme : schemes_in(node)) only.insert(scheme);
+  Json rates = evaluate_state(Node(state, command.state), only);
+  say_remarks(command.state, rates);
+  bool const is_single = state.value("precision", "double") == "single";
+  double const limit = command.limit > 0.0 ? command.limit : is_single ? single_limit : double_limit;
+  auto const compared = compare_rates(node, rates, limit);
+  if (!output.empty()) {
+    rates["against"] = {{"file", command.against}, {"limit", limit}, {"lists", Json::array()}};
+    for (RateComparison const& one : compared) rates["against"]["lists"].push_back(to_json(one));
+    write_document(output, document_text(rates));
+  }
+  if (!say_comparison(compared, limit)) throw GateFailed();
+}
+
+}  // namespace
+
 void add_evaluate(CLI::App& app) {
-  struct EvaluateCommand {
-    std::string state;
-    std::string output = "-";
-    std::vector<std::string> plugins;
-  };
   auto command = std::make_shared<EvaluateCommand>();
   CLI::App* sub = app.add_subcommand("evaluate", "Rates of every scheme on particles that you give");
   sub->add_option("STATE.json", command->state, "A state document; - for standard input")->required();
   sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default");
+  sub->add_option("--against", command->against, "RATES.json: your own rates, to be compared instead; exit status 1 if they are off");
+  sub->add_option("--limit", command->limit, "Of the largest difference, relative to the largest rate [1e-12; single precision 4e-6]")
+      ->check(CLI::PositiveNumber);
+  sub->add_option("--only", command->only, "A scheme whose rates are wanted; may be repeated [all]")->allow_extra_args(false);
   sub->add_option("--plugin", command->plugins, "Shared libraries whose rates are wanted too (sphverify/plugin.h)")
       ->allow_extra_args(false);
-  sub->footer("Example: sphverify evaluate state.json -o rates.json");
-  sub->callback([command] {
-    for (std::string const& path : command->plugins) load_plugin_for_user(path, path, "");
-    require_writable(command->output, command->state);
-    Json const state = read_json_file(command->state);
-    Json const rates = evaluate_state(Node(state, command->state));
-    if (Json const& open = rates.at("open_towards"); !open.is_null()) {
-      fmt::print(stderr, "{}: walls: they do not close: nothing bounds the particles towards {}\n",
-                 printable(command->state), open.dump());
-    }
-    for (Json const& remark : rates.at("remarks")) {
-      fmt::print(stderr, "{}: particles.smoothing_length: {}\n", printable(command->state),
-                 remark.get<std::string>());
-    }
-    write_document(command->output, document_text(rates));
-  });
+  sub->footer(
+      "Examples:\n  sphverify evaluate state.json -o rates.json\n"
+      "  sphverify evaluate state.json --against own-rates.json");
+  sub->callback([command] { evaluate(*command); });
 }
 
 }  // namespace sphverify

@@ -4,6 +4,7 @@
 
 #include "cases/support/case.hpp"
 #include "harness/cli/commands.hpp"
+#include "harness/codes/external_code.hpp"
 #include "harness/study/expand.hpp"
 #include "reports/agreement.hpp"
 #include "reports/json/results_json.hpp"
@@ -40,6 +41,10 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
   for (char const* partner : {"work", "conduction"}) {
     if (!record.at(partner).is_null()) formulation[partner] = record.at(partner);
   }
+  for (Json const& one : whole.at("formulations")) {
+    // A code that is not ours is what the study says of it.
+    if (is_external(run.formulation.id) && one.is_object() && one.at("id") == run.formulation.id) formulation = one;
+  }
   Json discretisation = record.at("discretisation");
   for (auto it = discretisation.begin(); it != discretisation.end();) {
     it = it->is_null() ? discretisation.erase(it) : std::next(it);
@@ -72,6 +77,8 @@ void repeat(RepeatCommand const& command) {
     throw UserError(command.document, "RUN", std::to_string(command.run),
                     fmt::format("an index from 0 to {}", results.runs.size() - 1));
   }
+  if (Json::parse(results.study).at("schema") != "sphverify-study/1")
+    throw UserError(command.document, "study", "snapshots of another code", "a study, whose runs can be carried out again");
   RunRecord const& before = results.runs[static_cast<std::size_t>(command.run)];
   Study const study = study_of(results, before, command.document);
   Expansion const expansion = expand(study);

@@ -61,7 +61,7 @@ class Assessment {
     record_.particles = last.size();
     record_.spacing = spacing_;
     record_.smoothing_length = case_.smoothing_ratio * spacing_;
-    for (auto const& [name, values] : last.columns) record_.scene.fields.push_back(name);
+    name_fields(last);
     if (std::string const why = not_finite(last, {"x", "y", "z", "m", "h"}); !why.empty()) {
       mark_not_finite(record_, why);
       return;
@@ -74,6 +74,15 @@ class Assessment {
   }
 
  private:
+  /// What the snapshot holds, as documents call it.
+  void name_fields(Snapshot const& s) {
+    auto& names = record_.scene.fields;
+    for (SnapshotColumn const& column : snapshot_columns) {
+      if (s.has(std::string(column.name)) && std::find(names.begin(), names.end(), column.quantity) == names.end())
+        names.emplace_back(column.quantity);
+    }
+  }
+
   static std::string not_finite(Snapshot const& s, std::vector<std::string> const& columns) {
     for (std::string const& name : columns) {
       auto const found = s.columns.find(name);

@@ -197,6 +197,7 @@ ChildOutcome run_child(ChildCommand const& command) {
     outcome.status = WTERMSIG(status);
   } else if (cut == End::exited) {
     outcome.status = WEXITSTATUS(status);
+    if (outcome.status == 128 + SIGXFSZ) outcome.end = End::out_of_space;  // as shells tell of their children
   }
   if (!has_started) {
     outcome.end = End::not_started;

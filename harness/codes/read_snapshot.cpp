@@ -188,7 +188,8 @@ void derive_missing(Snapshot& snapshot, SnapshotOptions const& options, double g
          [&](std::size_t i) { return (used - 1.0) * at("rho", i) * at("e", i); });
 }
 
-/// Smoothing lengths as the kernel has them.
+}  // namespace
+
 void convert_lengths(Snapshot& snapshot, LengthConvention convention, Kernel const& kernel) {
   if (!snapshot.has("h")) return;
   Number ratio = snapshot.support_over_h;
@@ -200,8 +201,6 @@ void convert_lengths(Snapshot& snapshot, LengthConvention convention, Kernel con
   for (double& h : snapshot.columns.at("h")) h *= factor;
   snapshot.remarks.push_back(fmt::format("h times {:.6g}: its kernel's support is {:.6g} of it", factor, *ratio));
 }
-
-}  // namespace
 
 double support_over_two_sigma(Kernel const& kernel) {
   // int r^2 W dV = Dim sigma^2, by Gauss's rule on each of the shape's pieces.

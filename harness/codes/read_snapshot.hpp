@@ -24,6 +24,9 @@ template <int Dim>
 void fit_to_domain(Snapshot& snapshot, SnapshotOptions const& options, Domain<Dim> const& domain, Kernel const& kernel,
                    double gamma);
 
+/// Makes smoothing lengths those of a kernel of the same support.
+void convert_lengths(Snapshot& snapshot, LengthConvention convention, Kernel const& kernel);
+
 /// A kernel's support over twice its standard deviation along an axis: what SWIFT calls "Kernel gamma" (Dehnen & Aly 2012,
 /// Eq. 8 and Table 1).
 double support_over_two_sigma(Kernel const& kernel);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "formulations/basics/finite.hpp"
@@ -15,6 +16,8 @@
 namespace sphverify {
 
 namespace {
+
+std::string const viscosity_id = "viscosity/monaghan";
 
 template <int Dim>
 Json list(VectorField<Dim> const& field) {
@@ -48,7 +51,7 @@ Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours
   std::size_t const n = particles.size();
   if (n < 2) return remarks;
   double const ratio = particles.kernel().support_ratio();
-  double const support = ratio * particles.smoothing_length();
+  double const support = ratio * SmoothingLength(particles).largest();
   std::size_t alone = 0;
   for (std::size_t i = 0; i < n; ++i) alone += neighbours.row(i).empty() ? 1 : 0;
   if (alone > 0) {
@@ -72,13 +75,13 @@ Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours
 
 template <int Dim>
 Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<Dim>& geometry,
-              Closure closure) {
+              Closure closure, double time) {
   auto const rate = make_rate_operator<Dim>(scheme.id);
   particles.allocate(needed_fields(scheme));
   std::string const output(info(output_field(scheme.rate)).name);
   WorkCount work;
   try {
-    rate->evaluate(particles, geometry, closure, 0.0, 1, work);
+    rate->evaluate(particles, geometry, closure, time, 1, work);
   } catch (UndefinedRate const& error) {
     return {{output, nullptr}, {"reason", error.what()}};
   } catch (std::invalid_argument const& error) {  // a plug-in that says that it failed
@@ -107,6 +110,41 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
   return json;
 }
 
+/// What viscosity adds to the rates of a gas.
+template <int Dim>
+Json viscous_rates(State<Dim>& state, PairGeometry<Dim>& geometry) {
+  Particles<Dim>& particles = state.particles;
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, {BoundaryValue::velocity}, state.closure,
+                         state.time);
+  }
+  ViscousRates<Dim> rates;
+  PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, 1);
+  add_viscosity(state.viscosity, particles, sweep, rates);
+  sweep.run(particles);
+  add_viscous_walls(state.viscosity, particles, geometry, state.closure, rates);
+  return {{"acceleration", list(rates.acceleration)}, {"heating", rates.heating}};
+}
+
+/// What an ideal gas has beside what the state gives, once its density is known.
+template <int Dim>
+void complete_gas(State<Dim>& state) {
+  if (state.gamma == 0.0) return;
+  Particles<Dim>& particles = state.particles;
+  auto const& rho = particles.scalar(Field::density);
+  if (!particles.has(Field::pressure) && particles.has(Field::internal_energy)) {
+    particles.allocate(Field::pressure);
+    for (std::size_t i = 0; i < rho.size(); ++i)
+      particles.scalar(Field::pressure)[i] = (state.gamma - 1.0) * rho[i] * particles.scalar(Field::internal_energy)[i];
+  }
+  if (!particles.has(Field::pressure)) return;
+  particles.allocate(Field::sound_speed);
+  for (std::size_t i = 0; i < rho.size(); ++i) {
+    particles.scalar(Field::sound_speed)[i] =
+        std::sqrt(state.gamma * std::max(particles.scalar(Field::pressure)[i], 0.0) / rho[i]);
+  }
+}
+
 /// Why a scheme cannot be evaluated on a state; empty if it can.
 template <int Dim>
 std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
@@ -119,37 +157,36 @@ std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
 }
 
 template <int Dim>
-Json evaluate_in_dimension(Node const& document) {
+Json evaluate_in_dimension(Node const& document, std::set<std::string> const& only) {
   State<Dim> state = read_state<Dim>(document);
   Particles<Dim>& particles = state.particles;
-  double const h = particles.smoothing_length();
-  SmoothingLength const smoothing(particles);
+  SmoothingLength const h(particles);
   Kernel const& kernel = particles.kernel();
   PairGeometry<Dim> geometry;
   Json walls = Json::array();
   Json remarks;
   try {
-    CellGrid<Dim> const grid(particles.positions(), state.domain, smoothing.support(0));
+    CellGrid<Dim> const grid(particles.positions(), state.domain, kernel.support_ratio() * h.largest());
     geometry.domain = state.domain;
     geometry.neighbours = find_neighbours(grid);
     remarks = remarks_on(particles, geometry.neighbours);
     auto& density = particles.scalar(Field::density);
     if (state.density_rule != DensityRule::given)
-      density = summation_density(grid, smoothing, particles.masses());
+      density = summation_density(grid, h, particles.masses());
     if (state.density_rule == DensityRule::normalised) {
       for (std::size_t i = 0; i < density.size(); ++i) {
-        density[i] /= kernel_inside(particles.positions()[i], state.walls, h, kernel);
+        density[i] /= kernel_inside(particles.positions()[i], state.walls, h(i), kernel);
       }
     }
     geometry.walls = state.walls;
     for (Wall<Dim> const& wall : state.walls) {
-      geometry.contacts.push_back(find_wall_contacts(grid, wall, state.walls, smoothing, particles.masses(),
+      geometry.contacts.push_back(find_wall_contacts(grid, wall, state.walls, h, particles.masses(),
                                                      density, state.face_weight));
       WallContacts<Dim> const& contacts = geometry.contacts.back();
       std::vector<double> at_foot(particles.size()), weight(particles.size(), 0.0);
       for (std::size_t i = 0; i < particles.size(); ++i) {
-        auto const foot = nearest_on_face(particles.positions()[i], state.walls, walls.size(), h);
-        at_foot[i] = foot ? foot_density(grid, *foot, state.walls, h, particles.masses(), kernel) : 0.0;
+        auto const foot = nearest_on_face(particles.positions()[i], state.walls, walls.size(), h(i));
+        at_foot[i] = foot ? foot_density(grid, *foot, state.walls, h(i), particles.masses(), kernel) : 0.0;
       }
       for (std::size_t c = 0; c < contacts.size(); ++c)
         weight[contacts.particle[c]] = contacts.face_weight[c];
@@ -159,6 +196,8 @@ Json evaluate_in_dimension(Node const& document) {
     throw UserError(fmt::format("{}: particles.position: {}", document.file(), error.what()));
   }
 
+  complete_gas(state);
+
   Json rates = Json::object();
   Json left_out = Json::object();
   // With wall terms first; the contacts are then taken away for the controls.
@@ -166,11 +205,19 @@ Json evaluate_in_dimension(Node const& document) {
     if (!suffix.empty()) geometry.contacts.clear();
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       std::string const id = std::string(scheme->id) + suffix;
+      if (!only.empty() && !only.contains(id)) continue;
       if (std::string const reason = missing_field(*scheme, state); !reason.empty()) {
         left_out[id] = reason;
       } else {
-        rates[id] = rates_of(*scheme, particles, geometry, state.closure);
+        rates[id] = rates_of(*scheme, particles, geometry, state.closure, state.time);
       }
+    }
+    std::string const id = viscosity_id + suffix;
+    if (!state.viscosity.is_on() || (!only.empty() && !only.contains(id))) continue;
+    if (particles.has(Field::velocity) && particles.has(Field::sound_speed)) {
+      rates[id] = viscous_rates(state, geometry);
+    } else {
+      left_out[id] = "the state gives no velocity, or neither pressure nor internal energy";
     }
   }
   std::optional<Vector<Dim>> open;
@@ -186,15 +233,15 @@ Json evaluate_in_dimension(Node const& document) {
 
 }  // namespace
 
-Json evaluate_state(Node const& state) {
+Json evaluate_state(Node const& state, std::set<std::string> const& only) {
   require_state_keys(state);
   switch (state.at("dimension").integer(1, 3)) {
     case 1:
-      return evaluate_in_dimension<1>(state);
+      return evaluate_in_dimension<1>(state, only);
     case 2:
-      return evaluate_in_dimension<2>(state);
+      return evaluate_in_dimension<2>(state, only);
     default:
-      return evaluate_in_dimension<3>(state);
+      return evaluate_in_dimension<3>(state, only);
   }
 }
 

@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
+#include <limits>
 
+#include "harness/codes/read_snapshot.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/scene/choices.hpp"
 
@@ -102,27 +105,34 @@ void read_periodic(Node const& node, Domain<Dim>& domain) {
   }
 }
 
+/// Where a particle's place stands in the document.
+template <int Dim>
+std::string text_of(Vector<Dim> const& x) {
+  return Json(std::vector<double>(x.begin(), x.end())).dump();
+}
+
 /// Refuses particles outside their periods, and supports in which a particle would meet two images of
 /// another.
 template <int Dim>
 void require_room(Node const& particles, State<Dim> const& state) {
-  auto const places = particles.at("position").elements();
+  SmoothingLength const h(state.particles);
   for (int k = 0; k < Dim; ++k) {
     if (!state.domain.periodic[k]) continue;
     double const lower = state.domain.lower[k];
     double const upper = state.domain.upper[k];
     double const widest = (upper - lower) / (2.0 * state.particles.kernel().support_ratio());
-    if (state.particles.smoothing_length() > widest) {
-      particles.at("smoothing_length")
-          .complain(
+    if (h.largest() > widest) {
+      throw UserError(
+          particles.file(), particles.key() + ".smoothing_length", fmt::format("{}", h.largest()),
               fmt::format("at most {}: axis {} is periodic, and no shorter than two supports", widest, k));
     }
     // What wraps by adding a period, or writes fewer digits, may end just beyond its end.
     double const rounding = 1e-9 * (upper - lower);
     auto const& x = state.particles.positions().component(k);
-    for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t i = 0; i < x.size(); ++i) {
       if (x[i] < lower - rounding || x[i] > upper + rounding) {
-        throw UserError(places[i].file(), places[i].key(), places[i].json().dump(),
+        throw UserError(particles.file(), fmt::format("{}.position[{}]", particles.key(), i),
+                        text_of<Dim>(state.particles.positions()[i]),
                         fmt::format("a place within the period of axis {}, {} to {}", k, lower, upper));
       }
     }
@@ -132,42 +142,131 @@ void require_room(Node const& particles, State<Dim> const& state) {
 }  // namespace
 
 void require_state_keys(Node const& document) {
-  document.require_document("sphverify-state/1", {"schema", "dimension", "kernel", "face_weight", "closure",
-                                                  "periodic", "particles", "walls"});
+  document.require_document("sphverify-state/1", {"schema", "dimension", "kernel", "face_weight", "closure", "periodic",
+                                                  "particles", "walls", "gamma", "time", "precision", "viscosity"});
 }
+
+namespace {
+
+/// What stands in a file beside the document.
+Snapshot read_beside(Node const& particles, Kernel const& kernel) {
+  Node const file = particles.at("file");
+  Json options = Json::object();
+  for (char const* key : {"format", "map", "array"}) {
+    if (auto const node = particles.find(key)) options[key] = node->json();
+  }
+  auto const folder = std::filesystem::path(file.file()).parent_path();
+  SnapshotOptions const read = read_snapshot_options(Node(options, particles.file(), particles.key()));
+  Snapshot snapshot = read_snapshot({(folder / file.string()).lexically_normal().string()}, read);
+  convert_lengths(snapshot, LengthConvention::as_format, kernel);
+  return snapshot;
+}
+
+/// Fields that the document does not give itself.
+template <int Dim>
+void take_fields(Snapshot const& snapshot, Node const& node, Particles<Dim>& particles) {
+  for (FieldInfo const& field : field_infos) {
+    std::vector<std::string> columns;
+    for (SnapshotColumn const& column : snapshot_columns) {
+      if (column.quantity == field.name && columns.size() < static_cast<std::size_t>(field.is_vector ? Dim : 1))
+        columns.emplace_back(column.name);
+    }
+    if (columns.empty() || node.find(std::string(field.name)) || !snapshot.has(columns.front())) continue;
+    particles.allocate(field.field);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      auto const found = snapshot.columns.find(columns[k]);
+      if (found == snapshot.columns.end())
+        throw UserError(snapshot.file, columns[k], "nothing", fmt::format("{} components", Dim));
+      for (std::size_t i = 0; i < found->second.size(); ++i) {
+        double const value = found->second[i];
+        bool const is_positive = value > 0.0 || (field.field != Field::mass && field.field != Field::density);
+        if (!std::isfinite(value) || !is_positive)
+          throw UserError(snapshot.file, columns[k], fmt::format("{} of particle {}", value, i),
+                          is_positive ? "a number" : "a positive number");
+      }
+      (field.is_vector ? particles.vector(field.field).component(static_cast<int>(k)) : particles.scalar(field.field)) =
+          found->second;
+    }
+  }
+}
+
+/// One for all, or one each.
+template <int Dim>
+void read_lengths(Node const& node, std::optional<Snapshot> const& snapshot, Particles<Dim>& particles) {
+  auto const given = node.find("smoothing_length");
+  if (given && !given->is_array()) return;  // the particles are made with it
+  particles.vary_smoothing_length();
+  if (given) {
+    require_length(*given, particles.size());
+    auto const elements = given->elements();
+    for (std::size_t i = 0; i < elements.size(); ++i)
+      particles.smoothing_lengths()[i] = elements[i].number_between(1.0 / farthest_position, farthest_position);
+    return;
+  }
+  if (!snapshot || !snapshot->has("h")) node.at("smoothing_length");  // complains of its absence
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    double const h = snapshot->columns.at("h")[i];
+    if (!(h > 0.0) || !std::isfinite(h))
+      throw UserError(snapshot->file, "h", fmt::format("{} of particle {}", h, i), "a positive number");
+    particles.smoothing_lengths()[i] = h;
+  }
+}
+
+}  // namespace
 
 template <int Dim>
 State<Dim> read_state(Node const& document) {
   Node const node = document.at("particles");
-  std::vector<std::string> keys{"smoothing_length"};
+  std::vector<std::string> keys{"smoothing_length", "file", "format", "map", "array"};
   for (FieldInfo const& field : field_infos) {
     constexpr FieldSet computed{Field::acceleration, Field::heating, Field::flux, Field::sound_speed,
                                 Field::density_rate};
     if (!computed.contains(field.field) && !pass_fields.contains(field.field)) keys.emplace_back(field.name);
   }
   node.require_keys(keys);
-  std::size_t const count = node.at("position").elements().size();
+  std::string kernel_id(default_kernel(Dim).id());
+  if (auto const id = document.find("kernel")) kernel_id = id->word(kernel_words());
+  std::optional<Snapshot> snapshot;
+  if (node.find("file")) snapshot = read_beside(node, kernel(kernel_id, Dim));
+  bool const places_in_file = snapshot && !node.find("position");
+  std::size_t const count = places_in_file ? snapshot->size() : node.at("position").elements().size();
   if (count == 0) node.at("position").complain("at least one particle");
+  auto const length = node.find("smoothing_length");
+  double const common =
+      length && !length->is_array() ? length->number_between(1.0 / farthest_position, farthest_position) : 1.0;
 
   State<Dim> state{
-      Particles<Dim>(count, node.at("smoothing_length").number_between(1.0 / farthest_position, farthest_position)),
+      Particles<Dim>(count, common),
       {Vector<Dim>::Zero(), Vector<Dim>::Zero(), {}},
       {},
       DensityRule::given,
       FaceWeight::exact,
       Closure::interpolated};
-  if (auto const id = document.find("kernel"))
-    state.particles.set_kernel(kernel(id->word(kernel_words()), Dim));
-  node.at("mass");
-  Node const density = node.at("density");
+  state.particles.set_kernel(kernel(kernel_id, Dim));
+  if (snapshot) take_fields(*snapshot, node, state.particles);
+  if (!snapshot || !snapshot->has("m")) node.at("mass");
+  read_lengths(node, snapshot, state.particles);
   for (FieldInfo const& field : field_infos) {
     if (field.field != Field::density) read_field(node, field, state.particles);
   }
-  state.particles.allocate(Field::density);
-  if (density.is_string()) {
-    state.density_rule = density_words.value(density.word({"summation", "normalised"}));
-  } else {
+  auto const density = node.find("density");
+  if (!density && !state.particles.has(Field::density)) node.at("density");  // complains of its absence
+  if (density && density->is_string()) {
+    state.particles.allocate(Field::density);
+    state.density_rule = density_words.value(density->word({"summation", "normalised"}));
+  } else if (density) {
     read_field(node, info(Field::density), state.particles);
+  }
+  if (auto const time = document.find("time")) state.time = time->number();
+  bool is_single = false;
+  if (auto const precision = document.find("precision")) is_single = precision->word({"single", "double"}) == "single";
+  state.rounding = is_single ? single_rounding : 0.5 * std::numeric_limits<double>::epsilon();
+  auto const gamma = document.find("gamma");
+  if (gamma) state.gamma = gamma->number_between(1.0 + 1e-9, 100.0);
+  if (auto const viscosity = document.find("viscosity")) {
+    viscosity->require_keys({"alpha", "beta"});
+    state.viscosity = {viscosity->at("alpha").number_between(0.0, 100.0), viscosity->at("beta").number_between(0.0, 100.0)};
+    if (!gamma) document.at("gamma");  // complains of its absence: the sound speed
   }
   if (auto const rule = document.find("face_weight")) {
     state.face_weight = face_weight_words.value(rule->word(face_weight_words.all()));

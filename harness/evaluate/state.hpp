@@ -2,6 +2,7 @@
 
 #include "formulations/density/density.hpp"
 #include "formulations/particles/particles.hpp"
+#include "formulations/viscosity/monaghan.hpp"
 #include "formulations/walls/walls.hpp"
 #include "reports/json/node.hpp"
 
@@ -16,6 +17,10 @@ struct State {
   DensityRule density_rule;  ///< `given` where the state lists densities
   FaceWeight face_weight;
   Closure closure;
+  double time = 0.0;   ///< [s]
+  double gamma = 0.0;  ///< ratio of specific heats; 0: not given
+  MonaghanViscosity viscosity{};
+  double rounding = 0.0;  ///< of the numbers, relative to them: of double precision or single
 };
 
 /// Complains of a document that is no state, and of its keys.

@@ -69,7 +69,7 @@ class GasModes {
   /// Whether leapfrog keeps small perturbations small.
   bool keeps(double dt, std::function<bool()> const& out_of_time) {
     constexpr std::uint64_t steps = 2000;
-    constexpr double unstable_growth = 1e3;
+    constexpr double growth_of_no_return = 1e3;
     std::size_t const n = scene_.coordinates();
     std::vector<double> y = state_;
     std::mt19937_64 random(1);
@@ -85,7 +85,7 @@ class GasModes {
       if (!std::isfinite(largest)) return "not finite";
       // The perturbation of places needs a while to show in velocities.
       if (++step <= 20) first = std::max(first, largest);
-      if (step > 20 && largest > unstable_growth * first) return "grew";
+      if (step > 20 && largest > growth_of_no_return * first) return "grew";
       return out_of_time() ? "out of time" : "";
     };
     OdeResult const result =

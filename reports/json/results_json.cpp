@@ -355,13 +355,16 @@ Json to_json(RunRecord const& r) {
     json["shocks"] = Json::array();
     for (ShockRecord const& shock : r.shocks) json["shocks"].push_back(to_json(shock));
     json["motion"] = to_json(*r.motion);
+  } else if (!r.shocks.empty()) {  // of a code that is not ours
+    json["shocks"] = Json::array();
+    for (ShockRecord const& shock : r.shocks) json["shocks"].push_back(to_json(shock));
   }
   json["cost"] = r.cost ? to_json(*r.cost) : Json(nullptr);
   json["stability"] = r.stability ? to_json(*r.stability) : Json(nullptr);
   if (r.second_law) json["second_law"] = to_json(*r.second_law);
   json["integration"] = r.integration ? to_json(*r.integration) : Json(nullptr);
   if (r.profile) json["profile"] = to_json(*r.profile);
-  if (r.history) json["history"] = to_json(*r.history, r.motion.has_value());
+  if (r.history) json["history"] = to_json(*r.history, r.motion.has_value() || !r.momentum.empty());
   if (!r.spectrum.empty()) json["spectrum"] = number_lists(r.spectrum);
   return json;
 }

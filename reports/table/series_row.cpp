@@ -40,6 +40,7 @@ void read_energy(RunRecord const& run, SeriesRow& row) {
   auto const found = run.conservation.find("energy");
   if (found == run.conservation.end()) return;
   Budget const& b = found->second;
+  if (std::isnan(b.exchanged)) return;  // of a code that is not ours: what crossed its walls is not known
   double const size = larger(std::abs(b.initial), std::abs(b.final));
   double const scale = size > 0.0 ? size : 1.0;
   raise(row.energy_drift, std::abs(b.drift) / scale);
@@ -60,6 +61,7 @@ void read_momentum(RunRecord const& run, double prescribed, SeriesRow& row) {
   double const scale = prescribed > 0.0 ? prescribed : thermal;
   if (scale == 0.0) return;
   for (Budget const& momentum : run.momentum) {
+    if (std::isnan(momentum.exchanged)) return;
     worsen(row.momentum_drift, momentum.drift / scale);
     if (momentum.pair_drift) worsen(row.momentum_pair_drift, *momentum.pair_drift / scale);
   }

@@ -339,7 +339,7 @@ def wall_flux_batches(results):
 
 # How runs ended.
 
-STATUSES = {"ok": True, "unstable": True, "non-finite": True, "positivity-lost": True, "timed-out": False,
+STATUSES = {"ok": True, "failed": False, "unstable": True, "non-finite": True, "positivity-lost": True, "timed-out": False,
             "invalid": False}  # fmt: skip
 
 

@@ -48,6 +48,7 @@ std::vector<Name> names_of_ours() {
 /// Takes a column, or as many as a set has.
 void put(Snapshot& snapshot, InputFile const& file, std::string const& place, std::vector<std::string> const& columns) {
   DataSet const set = file.read(place);
+  if (set.rows == 0) return;  // a place held for what was not stored
   if (set.columns > columns.size())
     throw UserError(file.path(), place, fmt::format("{} numbers per particle", set.columns), fmt::format("{}", columns.size()));
   if (snapshot.size() > 0 && set.rows != snapshot.size())
@@ -140,9 +141,7 @@ void read_pysph(Snapshot& snapshot, InputFile const& file, SnapshotOptions const
   std::string const array = array_of(file, options.array);
   std::string const group = "particles/" + array + "/arrays";
   read_columns(snapshot, file, group, names_of_pysph, options);
-  // Arrays that were not stored are empty.
-  std::size_t const n = file.read(group + "/x").rows;
-  std::erase_if(snapshot.columns, [&](auto const& one) { return one.second.size() != n; });
+  std::size_t const n = snapshot.size();
   snapshot.remarks.push_back(fmt::format("array {}", array));
   if (file.has(group + "/tag")) {
     DataSet const tags = file.read(group + "/tag");

@@ -23,6 +23,7 @@ Json values_of(RunRecord const& run) {
                             "high_seconds", "busy", "repeats", "batch", "warm_up", "occasion", "round_seconds"}) {
       cost.erase(key);
     }
+    if (!run.cost->is_counted()) cost.erase("peak_bytes");  // of a process it is never twice the same
   }
   return record.flatten();
 }

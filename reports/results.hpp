@@ -110,7 +110,11 @@ struct Cost {
   bool warm_up = false;  ///< whether the same was run before the first repeat
   std::string occasion;  ///< names the rounds in which this and other runs took turns; empty: timed alone
   std::vector<double> round_seconds;  ///< wall time of the repeat of each round, in their order [s]
-  std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0, peak_bytes = 0;
+  std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0;
+  std::uint64_t peak_bytes = 0;  ///< 0: not known
+
+  /// Whether steps, evaluations, pairs and the time of the set-up are known: not of a code that is not ours.
+  bool is_counted() const { return rate_evaluations > 0; }
 };
 
 /// A mode of a linearised rate, and where and how short it is.

@@ -16,7 +16,7 @@ struct AssessCommand {
 void run(AssessCommand const& command) {
   require_writable(command.output, command.document);
   Json const json = read_json_file(command.document);
-  Results const results = assess(Node(json, command.document));
+  Results const results = assess(Node(json, command.document), command.output);
   write_document(command.output, document_text(to_json(results)));
   say_how_it_went(results.runs);
 }

@@ -12,11 +12,9 @@
 #include "harness/codes/read_snapshot.hpp"
 #include "harness/measure/series.hpp"
 #include "harness/measure/surface.hpp"
-#include "harness/scene/choices.hpp"
 #include "harness/study/context.hpp"
+#include "harness/study/expand.hpp"
 #include "harness/study/read_case.hpp"
-#include "harness/study/read_envelope.hpp"
-#include "harness/study/read_layout.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -43,34 +41,35 @@ struct Whole {
   std::string label;
 };
 
-/// The choices beside which a code is shown: those of our own runs that leave everything open.
-Discretisation open_choices(CaseInfo const& info) {
-  Discretisation d;
-  if (!moves(info.kind)) return d;
-  d.density = "continuity";
-  d.integrator = info.discontinuous ? "leapfrog" : "runge-kutta";
-  if (info.discontinuous) d.viscosity = {1.0, 2.0};
-  return d;
-}
-
-Discretisation read_choices(Node const& document, StudyCase const& chosen) {
-  Discretisation d = open_choices(chosen.scene_case->info);
-  auto const node = document.find("discretisation");
-  if (!node) return d;
-  node->require_keys({"kernel", "smoothing_ratio", "layout"});
-  if (auto const kernel = node->find("kernel")) d.kernel = kernel->word(kernel_words());
-  if (auto const ratio = node->find("smoothing_ratio")) d.smoothing_ratio = read_smoothing_ratio(*ratio);
-  if (auto const layout = node->find("layout")) {
-    // Its seeds stand beside the snapshots.
-    Json without = layout->json();
-    if (without.is_object() && (without.contains("seed") || without.contains("seeds")))
-      layout->complain("a layout without its seed, which stands beside each snapshot");
-    bool const is_drawn = without.is_string() ? without == "glass" : without.value("id", "") == "jittered" || without.value("id", "") == "glass";
-    if (is_drawn && without.is_string()) without = Json{{"id", without}};
-    if (is_drawn) without["seed"] = 0;
-    d.layout = read_layout(Node(without, layout->file(), layout->key())).front();
+/// The choices beside which a code is shown: those of a study of ours that says as much, each a single value.
+Discretisation read_choices(Node const& document, StudyCase const& chosen, std::string const& label) {
+  Json choices = Json::object();
+  if (auto const node = document.find("discretisation")) {
+    choices = node->json();
+    if (auto const layout = node->find("layout")) {
+      // Seeds stand beside the snapshots.
+      Json& one = choices["layout"];
+      if (one.is_object() && (one.contains("seed") || one.contains("seeds")))
+        layout->complain("a layout without its seed, which stands beside each snapshot");
+      Json const named = one.is_object() && one.contains("id") ? one.at("id") : one;
+      std::string const id = named.is_string() ? named.get<std::string>() : "";
+      if (id == "glass" && one.is_string()) one = Json{{"id", id}};
+      if (id == "glass" || id == "jittered") one["seed"] = 0;
+    }
+    for (auto const& [key, value] : node->members()) {
+      if (value.is_array()) value.complain("a single value: the one that the code is shown beside");
+    }
   }
-  return d;
+  Json const study = {{"schema", "sphverify-study/1"},
+                      {"name", label},
+                      {"cases", {{"id", chosen.scene_case->info.id}, {"parameters", parameters_json(chosen.parameters.all())}}},
+                      {"formulations", {{"id", label}, {"command", {"-", "{initial}", "{final}"}}}},
+                      {"discretisation", choices},
+                      {"resolution", 1}};
+  Expansion const expansion = expand(read_study(Node(study, document.file())));
+  if (expansion.runs.empty())
+    throw UserError(document.file(), "discretisation", expansion.skipped.front().reason, "what a run of the case could have");
+  return expansion.runs.front().discretisation;
 }
 
 MeasureSet read_measures(Node const& document) {
@@ -80,16 +79,29 @@ MeasureSet read_measures(Node const& document) {
   for (Node const& one : node->one_or_many()) {
     std::string const word = one.word({"error", "conservation", "profile", "history"});
     for (MeasureWord const& known : measure_words()) {
-      if (known.word == word) set.insert(known.measure);
+      if (known.word != word) continue;
+      if (set.contains(known.measure)) one.complain("every measure only once");
+      set.insert(known.measure);
     }
   }
   return set;
 }
 
-NamedSnapshot read_entry(Node const& node, std::filesystem::path const& folder, Discretisation const& d) {
+/// Results must not take the place of what they are of.
+void require_other_file(std::string const& output, Node const& node, std::string const& file) {
+  std::error_code error;
+  if (output != "-" && std::filesystem::equivalent(output, file, error)) node.complain("another file than the output");
+}
+
+NamedSnapshot read_entry(Node const& node, std::filesystem::path const& folder, std::string const& output,
+                         Discretisation const& d) {
   node.require_keys({"file", "resolution", "time", "seconds", "seed"});
   NamedSnapshot one{node};
-  for (Node const& file : node.at("file").one_or_many()) one.files.push_back((folder / file.string()).lexically_normal().string());
+  for (Node const& file : node.at("file").one_or_many()) {
+    if (file.string().empty()) file.complain("the name of a file");
+    one.files.push_back((folder / file.string()).lexically_normal().string());
+    require_other_file(output, file, one.files.back());
+  }
   if (one.files.empty()) node.at("file").complain("a file, or those of one snapshot");
   one.resolution = static_cast<int>(node.at("resolution").integer(1, 100'000'000));
   if (auto const time = node.find("time")) one.time = time->number_between(0.0, 1e100);
@@ -153,7 +165,7 @@ RunRecord assess_run(Whole const& whole, std::vector<NamedSnapshot const*> const
 
 }  // namespace
 
-Results assess(Node const& document) {
+Results assess(Node const& document, std::string const& output) {
   std::vector<std::string> keys{"schema", "name", "case", "discretisation", "measure", "snapshots"};
   keys.insert(keys.end(), snapshot_option_keys.begin(), snapshot_option_keys.end());
   document.require_document("sphverify-snapshots/1", keys);
@@ -161,14 +173,15 @@ Results assess(Node const& document) {
   CaseInfo const& info = chosen.scene_case->info;
   if (info.kind == CaseKind::rates) document.at("case").complain("a case in which time passes: `evaluate` compares rates");
   require_external_name(document.at("name"), document.at("name").string());
-  Whole const whole{chosen, read_choices(document, chosen), read_snapshot_options(document), read_measures(document),
-                    external_prefix + document.at("name").string()};
+  std::string const label = external_prefix + document.at("name").string();
+  Whole const whole{chosen, read_choices(document, chosen, label), read_snapshot_options(document), read_measures(document),
+                    label};
 
   auto const folder = std::filesystem::path(document.file()).parent_path();
   std::map<std::pair<int, std::uint64_t>, std::vector<NamedSnapshot const*>> runs;
   std::vector<NamedSnapshot> entries;
   for (Node const& node : document.at("snapshots").elements())
-    entries.push_back(read_entry(node, folder, whole.discretisation));
+    entries.push_back(read_entry(node, folder, output, whole.discretisation));
   if (entries.empty()) document.at("snapshots").complain("one or more snapshots");
   for (NamedSnapshot const& entry : entries) runs[{entry.resolution, entry.seed}].push_back(&entry);
 

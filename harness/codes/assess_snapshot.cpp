@@ -24,7 +24,10 @@ namespace sphverify {
 namespace {
 
 constexpr double double_round_off = 64.0 * std::numeric_limits<double>::epsilon();
-constexpr double mass_slack = 0.05;      // of the case's mass, that another layout may hold more or less
+// Of the case's mass, what another layout may hold more or less: a part, and this part of a particle along an axis.
+constexpr double mass_slack = 0.01;
+constexpr double mass_slack_of_particle = 0.5;
+constexpr double same_mass = 1e-5;
 constexpr int resolution_of_mass = 48;   // of the lattice with which that mass is found
 
 struct ScalarColumn {
@@ -54,13 +57,19 @@ class Assessment {
         spacing_(spacing_of(problem.domain, one.discretisation.layout, one.resolution)) {}
 
   void assess(std::vector<Snapshot> history) {
-    for (Snapshot& one : history) fit_to_domain(one, options_, problem_.domain, kernel_, problem_.gamma);
-    for (Snapshot& one : history) drop_outside(one);
+    record_.spacing = spacing_;
+    record_.smoothing_length = case_.smoothing_ratio * spacing_;
+    for (Snapshot& one : history) {
+      // What options say is of the code's files: particles that we gave it to start from need no translation.
+      SnapshotOptions const& options = one.format.empty() ? ours_ : options_;
+      fit_to_domain(one, options, problem_.domain, kernel_, problem_.gamma);
+      drop_outside(one);
+      if (options.sums_density && !one.has("rho")) sum_the_density(one);
+      derive_missing<Dim>(one, options, problem_.gamma);
+    }
     Snapshot const& last = history.back();
     record_.remarks.insert(record_.remarks.end(), last.remarks.begin(), last.remarks.end());
     record_.particles = last.size();
-    record_.spacing = spacing_;
-    record_.smoothing_length = case_.smoothing_ratio * spacing_;
     name_fields(last);
     if (std::string const why = not_finite(last, {"x", "y", "z", "m", "h"}); !why.empty()) {
       mark_not_finite(record_, why);
@@ -100,12 +109,16 @@ class Assessment {
     return x;
   }
 
-  /// How far a particle is outside of a wall whose place is known [m]: the walls of what stands still, and those that stand or
-  /// go on a path.
+  /// A wall of a gas that prescribes a pressure and no path.
+  bool goes_with_gas(Wall<Dim> const& wall) const {
+    return moves(case_.scene_case->info.kind) && !wall.path && !wall.velocity;
+  }
+
+  /// How far a particle is outside of a wall whose place is known [m]: all but those that go with a gas.
   double outside(Snapshot const& s, std::size_t i) const {
     double most = 0.0;
     for (Wall<Dim> const& wall : problem_.walls) {
-      if (!wall.path && moves(case_.scene_case->info.kind) && !wall.velocity) continue;
+      if (goes_with_gas(wall)) continue;
       Wall<Dim> now = wall;
       if (wall.path) now.point = wall.path(s.time.value_or(problem_.final_time));
       most = std::max(most, -now.distance(place(s, i)));
@@ -114,8 +127,9 @@ class Assessment {
   }
 
   void drop_outside(Snapshot& s) const {
-    // A gas may lean against a wall a little beyond it; what stands still may not.
-    double const allowed = moves(case_.scene_case->info.kind) ? 0.5 * spacing_ : 1e-6 * spacing_;
+    // A gas may lean against a wall a little beyond it, but not as far as the first particles that stand for the wall; what
+    // stands still may not.
+    double const allowed = moves(case_.scene_case->info.kind) ? 0.25 * spacing_ : 1e-6 * spacing_;
     std::vector<char> keep(s.size(), 1);
     std::size_t out = 0;
     for (std::size_t i = 0; i < s.size(); ++i) {
@@ -135,9 +149,7 @@ class Assessment {
 
   static std::string text_of(Vector<Dim> const& x) { return fmt::format("{:.6g}", fmt::join(x.begin(), x.end(), ":")); }
 
-  /// Refuses what cannot be this case's particles.
-  void require_sense(Snapshot const& s) const {
-    if (s.size() == 0) throw UserError(s.file, "", "no particles in the domain", "those of the case");
+  static void require_positive(Snapshot const& s) {
     for (char const* name : {"m", "h", "rho"}) {
       if (!s.has(name)) continue;
       auto const& values = s.columns.at(name);
@@ -145,6 +157,12 @@ class Assessment {
       if (wrong != values.end())
         throw UserError(s.file, name, fmt::format("{} of particle {}", *wrong, wrong - values.begin()), "a positive number");
     }
+  }
+
+  /// Refuses what cannot be this case's particles.
+  void require_sense(Snapshot const& s) {
+    if (s.size() == 0) throw UserError(s.file, "", "no particles in the domain", "those of the case");
+    require_positive(s);
     Discretisation const lattice;
     InitialParticles<Dim> const start =
         initial_particles(problem_, lattice, Dim == 3 ? resolution_of_mass / 2 : resolution_of_mass, 1.0);
@@ -152,7 +170,18 @@ class Assessment {
     double found = 0.0;
     for (double const m : start.particles.masses()) expected += m;
     for (double const m : s.columns.at("m")) found += m;
-    double const slack = mass_slack + 2.0 / case_.resolution;
+    if (std::abs(found - expected) > same_mass * expected)
+      record_.remarks.push_back(fmt::format("mass: {:.6g} of what the case begins with", found / expected));
+    double const count = particle_count(problem_.domain, case_.discretisation.layout, case_.resolution);
+    if (static_cast<double>(s.size()) != count) {
+      record_.remarks.push_back(fmt::format("particles: {}, where a {} of N = {} has {:.0f}", s.size(),
+                                            case_.discretisation.layout.id, case_.resolution, count));
+    }
+    if (count > 2.0 * static_cast<double>(s.size()) || static_cast<double>(s.size()) > 2.0 * count)
+      throw UserError(s.file, "", fmt::format("{} particles", s.size()),
+                      fmt::format("about {:.0f}, as a {} of resolution {} has", count, case_.discretisation.layout.id,
+                                  case_.resolution));
+    double const slack = mass_slack + mass_slack_of_particle / case_.resolution;
     if (std::abs(found - expected) <= slack * expected) return;
     throw UserError(s.file, "m", fmt::format("{} particles with a mass of {:.6g} together", s.size(), found),
                     fmt::format("about {:.6g}, as {} begins with{}", expected, case_.scene_case->info.id,
@@ -181,15 +210,27 @@ class Assessment {
       for (int k = 0; k < Dim; ++k)
         particles.vector(Field::velocity).component(k) = s.columns.at(velocity_columns[static_cast<std::size_t>(k)]);
     }
-    if (!s.has("rho") && options_.sums_density) sum_the_density(particles);
     return particles;
   }
 
-  void sum_the_density(Particles<Dim>& particles) const {
+  void sum_the_density(Snapshot& s) const {
+    if (!not_finite(s, {"x", "y", "z", "m", "h"}).empty()) return;
+    require_positive(s);
+    Particles<Dim> const particles = particles_of(s);
     SmoothingLength const h(particles);
     CellGrid<Dim> const grid(particles.positions(), problem_.domain, kernel_.support_ratio() * h.largest());
-    particles.scalar(Field::density) = summation_density(grid, h, particles.masses());
-    record_.remarks.push_back(fmt::format("rho summed with the {} kernel", kernel_.id()));
+    s.columns["rho"] = summation_density(grid, h, particles.masses());
+    s.remarks.push_back(fmt::format("rho summed with the {} kernel", kernel_.id()));
+  }
+
+  void say_what_is_not_judged(Snapshot const& s) {
+    std::string missing;
+    auto const note = [&](std::string const& column) { missing += (missing.empty() ? "" : ", ") + column; };
+    for (ScalarColumn const& one : scalars_of(case_.scene_case->info.kind)) {
+      if (!s.has(one.column)) note(one.column);
+    }
+    if (moves(case_.scene_case->info.kind) && !s.has("vx")) note("vx");
+    if (!missing.empty()) record_.remarks.push_back(fmt::format("not judged, for want of columns: {}", missing));
   }
 
   double rounding_of(Snapshot const& s, std::string const& column) const {
@@ -197,22 +238,20 @@ class Assessment {
     return std::max(double_round_off, found == s.rounding.end() ? 0.0 : found->second);
   }
 
-  /// A wall that the gas takes along is where the exact velocity has carried it.
-  std::vector<Wall<Dim>> walls_now() const {
-    constexpr int steps = 200;
+  /// A wall that the gas takes along stands half of the outermost particle's width beyond it: where the code has it is not known.
+  std::vector<Wall<Dim>> walls_now(Particles<Dim> const& particles) const {
     std::vector<Wall<Dim>> walls = problem_.walls;
-    bool const is_gas = moves(case_.scene_case->info.kind);
     for (Wall<Dim>& wall : walls) {
       if (wall.path) {
         wall.point = wall.path(problem_.final_time);
-      } else if (is_gas && problem_.vectors.contains(Field::velocity)) {
-        auto const& v = problem_.vectors.at(Field::velocity);
-        double const dt = problem_.final_time / steps;
-        for (int k = 0; k < steps; ++k) {
-          Vector<Dim> const half = wall.point + 0.5 * dt * v(wall.point, k * dt);
-          Vector<Dim> const step = dt * v(half, (k + 0.5) * dt);
-          wall.point += step.dot(wall.outward_normal) * wall.outward_normal;
+      } else if (goes_with_gas(wall)) {
+        std::size_t outermost = 0;
+        for (std::size_t i = 1; i < particles.size(); ++i) {
+          if (wall.distance(particles.positions()[i]) < wall.distance(particles.positions()[outermost])) outermost = i;
         }
+        double const volume = particles.masses()[outermost] / particles.scalar(Field::density)[outermost];
+        double const beyond = 0.5 * std::pow(volume, 1.0 / Dim) - wall.distance(particles.positions()[outermost]);
+        wall.point += beyond * wall.outward_normal;
       }
     }
     return walls;
@@ -222,13 +261,12 @@ class Assessment {
     double const t = problem_.final_time;
     auto const volumes = exact_volumes(problem_, particles, t);
     auto const counts = [&](std::size_t i) { return !problem_.holds || problem_.holds(particles.positions()[i], t); };
-    auto const places = regions(particles, walls_now(), counts, final_features(problem_), smooth_margin(problem_.domain));
+    auto const places = regions(particles, walls_now(particles), counts, final_features(problem_), smooth_margin(problem_.domain));
     std::map<Field, std::vector<double>> exact;
     std::vector<ComparedField> fields;
     std::map<std::string, double> round_off;
     for (ScalarColumn const& one : scalars_of(case_.scene_case->info.kind)) {
-      bool const has_it = s.has(one.column) || (one.field == Field::density && options_.sums_density);
-      if (!has_it || !problem_.scalars.contains(one.field)) continue;
+      if (!s.has(one.column) || !problem_.scalars.contains(one.field)) continue;
       exact[one.field] = sample(problem_.scalars.at(one.field), particles, t);
       fields.push_back({info(one.field).name, {particles.scalar(one.field)}, {exact[one.field]}});
       round_off[std::string(info(one.field).name)] = rounding_of(s, one.column) * largest_magnitude(exact[one.field]);
@@ -239,7 +277,9 @@ class Assessment {
       fields.push_back({"velocity", components(particles.vector(Field::velocity)), components(velocity)});
       double largest = 0.0;
       for (int k = 0; k < Dim; ++k) largest = larger(largest, largest_magnitude(velocity.component(k)));
-      round_off["velocity"] = rounding_of(s, "vx") * largest;
+      double rounding = 0.0;
+      for (int k = 0; k < Dim; ++k) rounding = std::max(rounding, rounding_of(s, velocity_columns[static_cast<std::size_t>(k)]));
+      round_off["velocity"] = rounding * largest;
     }
     if (fields.empty()) {
       std::string names;
@@ -247,6 +287,7 @@ class Assessment {
       if (moves(case_.scene_case->info.kind)) names += " vx";
       throw UserError(s.file, "", "no field that the case compares", "one or more of" + names);
     }
+    say_what_is_not_judged(s);
     require_finite(record_, fields, volumes, places);
     if (measure_.contains(Measure::error)) {
       for (ComparedField const& field : fields) {
@@ -265,12 +306,13 @@ class Assessment {
   Problem<Dim> const& problem_;
   Kernel const& kernel_;
   SnapshotOptions const& options_;
+  SnapshotOptions const ours_{};
   MeasureSet measure_;
   RunRecord& record_;
   double spacing_;
 };
 
-/// The problem as it is at the time of the snapshot that is judged.
+/// The case's problem, compared at the time of the snapshot that is judged. Its domain and walls stay those of the case.
 AnyProblem at_time(AssessedCase const& one, Snapshot const& last) {
   double const end = std::visit([](auto const& p) { return p.final_time; }, one.problem);
   double const t = last.time.value_or(end);
@@ -279,19 +321,13 @@ AnyProblem at_time(AssessedCase const& one, Snapshot const& last) {
                     fmt::format("{} within {}%, the case's final time (final_time among its parameters, where it has one)", end,
                                 100.0 * time_slack));
   }
-  if (t == end) return one.problem;
-  Parameters shifted = one.parameters;
-  if (shifted.all().contains("final_time")) shifted.set("final_time", t);
-  AnyProblem problem = one.scene_case->problem(shifted);
+  AnyProblem problem = one.problem;
   std::visit([&](auto& p) { p.final_time = t; }, problem);
   return problem;
 }
 
-}  // namespace
-
-void assess_snapshots(AssessedCase const& one, std::vector<Snapshot> history, SnapshotOptions const& options,
-                      MeasureSet measure, RunRecord& record) {
-  AnyProblem const problem = at_time(one, history.back());
+void assess_until(AssessedCase const& one, AnyProblem const& problem, std::vector<Snapshot> history,
+                  SnapshotOptions const& options, MeasureSet measure, RunRecord& record) {
   std::visit(
       [&]<int Dim>(Problem<Dim> const& p) {
         double const end = std::get<Problem<Dim>>(one.problem).final_time;
@@ -301,6 +337,20 @@ void assess_snapshots(AssessedCase const& one, std::vector<Snapshot> history, Sn
         Assessment<Dim>(one, p, options, measure, record).assess(std::move(history));
       },
       problem);
+}
+
+}  // namespace
+
+void assess_snapshots(AssessedCase const& one, std::vector<Snapshot> history, SnapshotOptions const& options,
+                      MeasureSet measure, RunRecord& record) {
+  AnyProblem const problem = at_time(one, history.back());
+  std::string const file = history.back().file;
+  if (!history.back().time) record.remarks.push_back("no time in the file: taken for the final time");
+  try {
+    assess_until(one, problem, std::move(history), options, measure, record);
+  } catch (std::invalid_argument const& error) {
+    throw UserError(file, "", error.what(), "particles at a time at which the case has a solution");
+  }
 }
 
 }  // namespace sphverify

@@ -17,7 +17,9 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
 #include <random>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <thread>
@@ -39,23 +41,72 @@ std::string new_mark() {
   return fmt::format("{}-{:08x}{:08x}", getpid(), source(), source());
 }
 
-/// Processes whose environment has the mark.
-std::vector<pid_t> marked(std::string const& mark) {
-  std::string const entry = fmt::format("{}={}", mark_name, mark);
+std::string text_of(pid_t pid, char const* file) {
+  std::ifstream stream(fmt::format("/proc/{}/{}", pid, file), std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return std::move(text).str();
+}
+
+/// All processes but ours that fit.
+std::vector<pid_t> processes(auto const& fits) {
   std::vector<pid_t> found;
   DIR* const folder = opendir("/proc");
   if (folder == nullptr) return found;
   while (dirent const* const one = readdir(folder)) {
     char* end = nullptr;
-    long const pid = std::strtol(one->d_name, &end, 10);
+    auto const pid = static_cast<pid_t>(std::strtol(one->d_name, &end, 10));
     if (end == one->d_name || *end != '\0' || pid == getpid()) continue;
-    std::ifstream file(fmt::format("/proc/{}/environ", pid), std::ios::binary);
-    std::ostringstream text;
-    text << file.rdbuf();
-    if (text.str().find(entry) != std::string::npos) found.push_back(static_cast<pid_t>(pid));
+    if (fits(pid)) found.push_back(pid);
   }
   closedir(folder);
   return found;
+}
+
+/// Those whose environment has the mark.
+std::vector<pid_t> marked(std::string const& mark) {
+  std::string const entry = fmt::format("{}={}", mark_name, mark);
+  return processes([&](pid_t pid) { return text_of(pid, "environ").find(entry) != std::string::npos; });
+}
+
+/// "pid (name) state parent ...", whatever the name holds.
+pid_t parent_of(pid_t pid) {
+  std::string const text = text_of(pid, "stat");
+  std::size_t const name = text.rfind(')');
+  if (name == std::string::npos || name + 4 >= text.size()) return 0;
+  return static_cast<pid_t>(std::strtol(text.c_str() + name + 4, nullptr, 10));
+}
+
+/// Commands under way. The system hands us what they leave behind: when none of them is left, whatever then is a child of ours
+/// is an orphan of one of them, even if it has given up its group and its environment.
+class Commands {
+ public:
+  std::mutex& mutex() { return mutex_; }
+  void add(pid_t pid) { running_.insert(pid); }
+
+  void remove(pid_t pid) {
+    std::scoped_lock const lock(mutex_);
+    running_.erase(pid);
+    if (!running_.empty()) return;
+    for (int round = 0; round < most_rounds; ++round) {
+      auto const orphans = processes([](pid_t one) { return parent_of(one) == getpid(); });
+      if (orphans.empty()) return;
+      for (pid_t const orphan : orphans) {
+        kill(orphan, SIGKILL);
+        waitpid(orphan, nullptr, 0);
+      }
+    }
+  }
+
+ private:
+  static constexpr int most_rounds = 100;
+  std::mutex mutex_;
+  std::set<pid_t> running_;
+};
+
+Commands& commands() {
+  static Commands all;
+  return all;
 }
 
 /// Ends a group and all that has left it; looks again, since what is looked for may be multiplying.
@@ -104,6 +155,17 @@ std::vector<std::string> environment_of(ChildCommand const& command, std::string
   return texts;
 }
 
+/// Of everything that is open beside the three usual ones: files that other threads had open would stay so in the command, and
+/// locked.
+void close_on_exec() {
+  constexpr unsigned first = 3;
+  constexpr unsigned cloexec = 4;  // CLOSE_RANGE_CLOEXEC, which old headers lack
+  if (syscall(SYS_close_range, first, ~0U, cloexec) == 0) return;
+  rlimit most{};
+  getrlimit(RLIMIT_NOFILE, &most);
+  for (rlim_t k = first; k < std::min<rlim_t>(most.rlim_cur, 65536); ++k) fcntl(static_cast<int>(k), F_SETFD, FD_CLOEXEC);
+}
+
 /// In the child, between fork and exec, where only system calls are safe: other threads may have held any lock.
 [[noreturn]] void become(char* const* words, char* const* environment, char const* folder, int output, int failure,
                          rlim_t file_size, pid_t parent) {
@@ -117,7 +179,8 @@ std::vector<std::string> environment_of(ChildCommand const& command, std::string
   if (chdir(folder) == 0 && dup2(nothing, 0) >= 0 && dup2(output, 1) >= 0 && dup2(output, 2) >= 0) {
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
-    for (int const signal : {SIGINT, SIGTERM, SIGPIPE}) sigaction(signal, &usual, nullptr);
+    close_on_exec();
+    for (int const signal : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) sigaction(signal, &usual, nullptr);
     execvpe(words[0], words, environment);
   }
   error = errno;
@@ -142,6 +205,14 @@ void wait_a_moment(int ending) {
 
 ChildOutcome run_child(ChildCommand const& command) {
   using End = ChildOutcome::End;
+  // Whoever started us may have told the system to forget children at once: their status would be lost.
+  static std::once_flag once;
+  std::call_once(once, [] {
+    struct sigaction usual {};
+    usual.sa_handler = SIG_DFL;
+    sigaction(SIGCHLD, &usual, nullptr);
+    prctl(PR_SET_CHILD_SUBREAPER, 1);
+  });
   std::string const mark = new_mark();
   std::vector<std::string> words = command.words;
   std::vector<std::string> environment = environment_of(command, mark);
@@ -154,10 +225,15 @@ ChildOutcome run_child(ChildCommand const& command) {
 
   Clock const clock;
   pid_t const parent = getpid();
-  pid_t const pid = fork();
-  if (pid == 0)
-    become(word_pointers.data(), environment_pointers.data(), command.folder.c_str(), output, failure[1],
-           static_cast<rlim_t>(command.bytes), parent);
+  pid_t pid = -1;
+  {
+    std::scoped_lock const lock(commands().mutex());
+    pid = fork();
+    if (pid == 0)
+      become(word_pointers.data(), environment_pointers.data(), command.folder.c_str(), output, failure[1],
+             static_cast<rlim_t>(command.bytes), parent);
+    if (pid > 0) commands().add(pid);
+  }
   close(failure[1]);
   close(output);
   if (pid < 0) {
@@ -188,6 +264,7 @@ ChildOutcome run_child(ChildCommand const& command) {
   outcome.seconds = clock.seconds();
   if (ending >= 0) close(ending);
   end_all(pid, mark);
+  commands().remove(pid);
   auto const seconds_of = [](timeval const& t) { return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec); };
   outcome.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   outcome.peak_bytes = static_cast<std::uint64_t>(used.ru_maxrss) * 1024;

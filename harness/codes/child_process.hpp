@@ -27,9 +27,9 @@ struct ChildOutcome {
   std::uint64_t peak_bytes = 0;             ///< most that it, or one of those, held in memory
 };
 
-/// Runs a program to its end. Nothing that it started is left when this returns, whether it waited for it or not: all that
-/// carries this run's mark in its environment is ended. No shell is involved. Throws std::runtime_error where no process can
-/// be made.
+/// Runs a program to its end. What it started is ended with it, whether it waited for it or not: its group, and all that carries
+/// this run's mark in its environment. What has given up both is ended when no other command is under way. No shell is
+/// involved. May be called by several threads. Throws std::runtime_error where no process can be made.
 ChildOutcome run_child(ChildCommand const& command);
 
 }  // namespace sphverify

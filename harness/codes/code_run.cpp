@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <new>
 
 #include "harness/codes/assess_snapshot.hpp"
 #include "harness/codes/child_process.hpp"
@@ -30,10 +31,10 @@ constexpr std::size_t longest_line = 200;
 /// A new folder in the place for what is temporary, which goes when this does.
 class WorkFolder {
  public:
-  explicit WorkFolder(std::string const& keep) : is_kept_(!keep.empty()) {
+  WorkFolder(std::string const& keep, std::string const& run) : is_kept_(!keep.empty()) {
     std::error_code ignored;
     if (is_kept_) fs::create_directories(keep, ignored);
-    std::string pattern = fs::absolute((is_kept_ ? fs::path(keep) : fs::temp_directory_path()) / "sphverify-XXXXXX").string();
+    std::string pattern = fs::absolute((is_kept_ ? fs::path(keep) : fs::temp_directory_path()) / ("sphverify-" + run + "-XXXXXX")).string();
     if (mkdtemp(pattern.data()) == nullptr) throw std::runtime_error(fmt::format("{}: {}", pattern, std::strerror(errno)));
     path_ = pattern;
   }
@@ -61,6 +62,8 @@ void replace_all(std::string& text, std::string const& what, std::string const& 
 
 /// The end of what a command printed.
 std::string output_of(std::string const& path) {
+  std::error_code error;
+  if (!fs::is_regular_file(path, error)) return "";  // whatever the command has made of it
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   std::streamoff const size = file ? static_cast<std::streamoff>(file.tellg()) : 0;
   std::string text(static_cast<std::size_t>(std::min(size, kept_output)), '\0');
@@ -72,8 +75,10 @@ std::string output_of(std::string const& path) {
 std::string last_line(std::string text) {
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r' || text.back() == ' ')) text.pop_back();
   std::string line = printable(text.substr(text.rfind('\n') + 1));
-  if (line.size() > longest_line) line = "..." + line.substr(line.size() - longest_line);
-  return line;
+  if (line.size() <= longest_line) return line;
+  std::size_t from = line.size() - longest_line;
+  while (from < line.size() && (static_cast<unsigned char>(line[from]) & 0xC0) == 0x80) ++from;  // within a character
+  return "..." + line.substr(from);
 }
 
 /// Output as text that a document can hold, its lines kept.
@@ -87,11 +92,18 @@ std::string as_document_text(std::string const& output) {
   return text;
 }
 
+/// Which run a folder is of: "pysph-N64-seed2".
+std::string name_of(RunSpec const& spec) {
+  std::string const name = spec.formulation.id.substr(std::string(external_prefix).size());
+  std::uint64_t const seed = spec.discretisation.layout.seed;
+  return fmt::format("{}-N{}{}", name, spec.resolution, seed > 0 ? fmt::format("-seed{}", seed) : "");
+}
+
 /// One start of the command with all that it needs.
 class CodeStart {
  public:
   CodeStart(AnyProblem const& problem, RunSpec const& spec, RunOptions const& options)
-      : problem_(problem), spec_(spec), options_(options), code_(*spec.code), folder_(code_.keep) {
+      : problem_(problem), spec_(spec), options_(options), code_(*spec.code), folder_(code_.keep, name_of(spec)) {
     initial_ = initial_snapshot(spec.scene_case->info.kind, problem, spec.discretisation, spec.resolution, spec.smoothing_ratio);
     initial_.file = folder_.in("initial." + extension(code_.initial));
     write_initial_particles(initial_.file, code_.initial, initial_, problem, spec.discretisation);
@@ -180,7 +192,15 @@ Cost cost_of(ChildOutcome const& outcome) {
 void run_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& options, MeasuredRun& run) {
   Clock const clock;
   RunRecord& record = run.record;
-  CodeStart const start(problem, spec, options);
+  std::unique_ptr<CodeStart> made;
+  try {
+    made = std::make_unique<CodeStart>(problem, spec, options);
+  } catch (std::runtime_error const& error) {
+    record.status = "failed";
+    record.reason = fmt::format("its particles cannot be written: {}", error.what());
+    return;
+  }
+  CodeStart const& start = *made;
   record.particles = start.initial().size();
   record.spacing = std::visit(
       [&](auto const& p) { return spacing_of(p.domain, spec.discretisation.layout, spec.resolution); }, problem);
@@ -196,7 +216,8 @@ void run_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& 
   run.spent_seconds = clock.seconds();
   if (std::string const why = why_failed(outcome, *spec.code, options.time_budget); !why.empty())
     return fail(outcome.end == ChildOutcome::End::out_of_time ? "timed-out" : "failed", why);
-  if (!fs::exists(start.final_file())) return fail("failed", "the command wrote no {final}");
+  std::error_code ignored;
+  if (!fs::is_regular_file(start.final_file(), ignored)) return fail("failed", "the command wrote no {final}");
   try {
     Snapshot last = read_snapshot({start.final_file()}, spec.code->options);
     last.file = "{final}";
@@ -207,20 +228,28 @@ void run_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& 
     std::string why = error.what();
     replace_all(why, start.final_file(), "{final}");
     return fail("failed", why);
+  } catch (std::bad_alloc const&) {
+    return fail("failed", "{final} does not fit into memory");
   }
   if (record.status != "ok" || !options.measure.contains(Measure::cost)) return;
   RepeatRule const& rule = options.repeat;
   bool const once_is_enough = rule.most == 1 || (rule.seconds > 0.0 && outcome.seconds >= rule.seconds) ||
                               (options.time_budget > 0.0 && clock.seconds() > 0.5 * options.time_budget);
   record.cost = time_repeats({}, [&] { return std::optional(cost_of(outcome)); }, [] { return false; });
+  record.cost->warm_up = false;
   run.awaits_timing = !once_is_enough;
   run.spent_seconds = clock.seconds();
 }
 
 Repetition repeat_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& options) {
   return [&problem, &spec, &options](double spent_seconds) -> std::optional<Cost> {
-    CodeStart const start(problem, spec, options);
-    ChildOutcome const outcome = start.run(spent_seconds);
+    std::unique_ptr<CodeStart> start;
+    try {
+      start = std::make_unique<CodeStart>(problem, spec, options);
+    } catch (std::runtime_error const&) {
+      return std::nullopt;
+    }
+    ChildOutcome const outcome = start->run(spent_seconds);
     if (outcome.end != ChildOutcome::End::exited || outcome.status != 0) return std::nullopt;
     return cost_of(outcome);
   };

@@ -19,14 +19,21 @@ namespace sphverify {
 namespace {
 
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t most_shown = 120;       // of a line, in a complaint
+constexpr std::size_t most_candidates = 50;   // among which the nearest name is looked for
 constexpr int digits_of_double = 15;          // with fewer a decimal number is coarser than double precision
 constexpr std::size_t enough_to_judge = 10;   // different numbers of a column
 constexpr std::array<std::string_view, 5> placed{"x", "y", "z", "m", "h"};
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   std::size_t const first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return {};
-  text = text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+/// A cell without blanks and quotation marks around it.
+std::string_view trimmed(std::string_view text) {
+  text = without_blanks(text);
   bool const is_quoted = text.size() >= 2 && text.front() == '"' && text.back() == '"';
   return is_quoted ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
@@ -94,7 +101,7 @@ class Reader {
     while (!rest.empty()) {
       ++line_;
       std::size_t const end = std::min(rest.find('\n'), rest.size());
-      std::string_view const line = trimmed(rest.substr(0, end));
+      std::string_view const line = without_blanks(rest.substr(0, end));
       rest.remove_prefix(std::min(end + 1, rest.size()));
       if (line.empty()) continue;
       if (line.front() == '#') {
@@ -110,8 +117,9 @@ class Reader {
     for (Wanted const& one : wanted_) {
       // Where particles are and what they weigh may well be short numbers.
       bool const is_placed = std::find(placed.begin(), placed.end(), one.column) != placed.end();
-      if (double const rounding = one.digits.rounding(); rounding > 0.0 && !is_placed) {
-        snapshot_.rounding[one.column] = rounding;
+      double const rounding = one.digits.rounding();
+      if (rounding > 0.0) snapshot_.rounding[one.column] = rounding;
+      if (rounding > 0.0 && !is_placed) {
         snapshot_.remarks.push_back(fmt::format("{} has {} digits: errors below {:.1g} of it say nothing", one.column,
                                                 one.digits.most, rounding));
       }
@@ -165,15 +173,15 @@ class Reader {
       if (found != cells.end()) {
         wanted_.push_back({std::string(column.name), static_cast<std::size_t>(found - cells.begin())});
       } else if (named != names_.end()) {
-        complain("map", fmt::format("no column '{}'", name), one_of(name, {cells.begin(), cells.end()}));
+        complain("map", fmt::format("no column '{}'", name), one_of(name, {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), most_candidates))}));
       }
     }
     if (wanted_.empty()) {
       std::vector<std::string> known;
       for (SnapshotColumn const& column : snapshot_columns) known.emplace_back(column.name);
       bool const has_units = line.find('[') != std::string_view::npos || line.find('(') != std::string_view::npos;
-      complain("", fmt::format("names {}", line),
-               fmt::format("{}{}", one_of(cells.front(), known), has_units ? " without units; `map` says which is which" : ""));
+      complain("", fmt::format("names {}{}", line.substr(0, most_shown), line.size() > most_shown ? "..." : ""),
+               fmt::format("{}{}", one_of(cells.front().substr(0, most_shown), known), has_units ? " without units; `map` says which is which" : ""));
     }
     width_ = cells.size();
     for (Wanted const& one : wanted_) snapshot_.columns[one.column];

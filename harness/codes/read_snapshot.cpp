@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 
 #include "harness/codes/csv.hpp"
@@ -39,6 +40,12 @@ bool is_hdf5(std::string const& path) {
 }
 
 Snapshot read_file(std::string const& path, SnapshotOptions const& options) {
+  // Pipes and devices may never end.
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) {
+    bool const is_there = std::filesystem::exists(std::filesystem::symlink_status(path, error));
+    throw UserError(path, "", is_there ? "something that is no file" : "no such file", "a snapshot");
+  }
   if (is_hdf5(path)) {
     if (options.format == "csv") throw UserError(path, "format", "an HDF5 file", "csv");
     return read_hdf5_snapshot(path, options);
@@ -54,6 +61,12 @@ Snapshot read_file(std::string const& path, SnapshotOptions const& options) {
 
 /// Adds the particles of another part of the same snapshot.
 void append(Snapshot& whole, Snapshot const& part) {
+  if (part.size() == 0) return;
+  if (whole.size() == 0) {
+    whole = part;
+    return;
+  }
+  for (auto const& [name, rounding] : part.rounding) whole.rounding[name] = std::max(whole.rounding[name], rounding);
   for (auto const& [name, values] : whole.columns) {
     if (!part.has(name)) throw UserError(part.file, name, "nothing", "what " + whole.file + " has, of which it is a part");
   }
@@ -70,10 +83,12 @@ void append(Snapshot& whole, Snapshot const& part) {
 Snapshot read_snapshot(std::vector<std::string> const& files, SnapshotOptions const& options) {
   Snapshot whole = read_file(files.front(), options);
   for (std::size_t k = 1; k < files.size(); ++k) append(whole, read_file(files[k], options));
+  if (whole.size() == 0) throw UserError(files.front(), "", "no particles", "some");
   if (files.size() > 1) whole.remarks.push_back(fmt::format("{} files of one snapshot", files.size()));
   if (options.gamma) whole.gamma = options.gamma;
   if (options.is_single) {
-    for (auto const& [name, values] : whole.columns) whole.rounding[name] = std::max(whole.rounding[name], single_rounding);
+    // Computed with it, not only stored: sums of many terms have lost some more.
+    for (auto const& [name, values] : whole.columns) whole.rounding[name] = 64.0 * single_rounding;
   }
   return whole;
 }
@@ -171,24 +186,26 @@ void derive(Snapshot& snapshot, char const* column, std::vector<std::string> con
   snapshot.remarks.push_back(fmt::format("{} {}", column, how));
 }
 
+}  // namespace
+
 template <int Dim>
 void derive_missing(Snapshot& snapshot, SnapshotOptions const& options, double gamma) {
   auto const at = [&](char const* column, std::size_t i) { return snapshot.columns.at(column)[i]; };
   if (options.density_from_h) {
     derive(snapshot, "rho", {"m", "h"}, "from m and h",
            [&](std::size_t i) { return at("m", i) * std::pow(*options.density_from_h / at("h", i), Dim); });
+    if (auto const known = snapshot.rounding.find("h"); known != snapshot.rounding.end())
+      snapshot.rounding["rho"] += (Dim - 1) * known->second;
   }
   if (gamma <= 0.0) return;
   double const used = snapshot.gamma.value_or(gamma);
-  derive(snapshot, "e", {"T"}, "from T by the specific heat",
-         [&](std::size_t i) { return options.specific_heat * at("T", i); });
   derive(snapshot, "e", {"P", "rho"}, "from P and rho by gamma",
          [&](std::size_t i) { return at("P", i) / ((used - 1.0) * at("rho", i)); });
+  derive(snapshot, "e", {"T"}, "from T by the specific heat",
+         [&](std::size_t i) { return options.specific_heat * at("T", i); });
   derive(snapshot, "P", {"e", "rho"}, "from e and rho by gamma",
          [&](std::size_t i) { return (used - 1.0) * at("rho", i) * at("e", i); });
 }
-
-}  // namespace
 
 void convert_lengths(Snapshot& snapshot, LengthConvention convention, Kernel const& kernel) {
   if (!snapshot.has("h")) return;
@@ -230,11 +247,13 @@ void fit_to_domain(Snapshot& snapshot, SnapshotOptions const& options, Domain<Di
     throw UserError(snapshot.file, "gamma", fmt::format("{}", *snapshot.gamma), fmt::format("{}, as the case has", gamma));
   place_in(snapshot, options, domain);
   convert_lengths(snapshot, options.smoothing_length, kernel);
-  derive_missing<Dim>(snapshot, options, gamma);
 }
 
+template void derive_missing<1>(Snapshot&, SnapshotOptions const&, double);
 template void fit_to_domain(Snapshot&, SnapshotOptions const&, Domain<1> const&, Kernel const&, double);
+template void derive_missing<2>(Snapshot&, SnapshotOptions const&, double);
 template void fit_to_domain(Snapshot&, SnapshotOptions const&, Domain<2> const&, Kernel const&, double);
+template void derive_missing<3>(Snapshot&, SnapshotOptions const&, double);
 template void fit_to_domain(Snapshot&, SnapshotOptions const&, Domain<3> const&, Kernel const&, double);
 
 }  // namespace sphverify

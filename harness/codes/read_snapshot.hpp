@@ -15,14 +15,19 @@ namespace sphverify {
 Snapshot read_snapshot(std::vector<std::string> const& files, SnapshotOptions const& options);
 
 /// Makes a snapshot fit a domain of that dimension: takes the axes that are meant, moves its origin, wraps positions into
-/// periods, derives what is missing and follows from the rest (energy from temperature or pressure, pressure and
-/// temperature from energy), and leaves out columns that the dimension does not have. What is done is said in its remarks.
+/// periods, and leaves out columns that the dimension does not have. What is done is said in its remarks.
 /// Throws UserError where positions or a mass are missing.
 /// @param kernel for which its smoothing lengths are wanted
 /// @param gamma of the case; 0 where nothing flows
 template <int Dim>
 void fit_to_domain(Snapshot& snapshot, SnapshotOptions const& options, Domain<Dim> const& domain, Kernel const& kernel,
                    double gamma);
+
+/// Adds columns that are missing and follow from the rest: density from h, if that is asked for, and of a gas energy from
+/// pressure or temperature and pressure from energy.
+/// @param gamma of the case; 0 where nothing flows
+template <int Dim>
+void derive_missing(Snapshot& snapshot, SnapshotOptions const& options, double gamma);
 
 /// Makes smoothing lengths those of a kernel of the same support.
 void convert_lengths(Snapshot& snapshot, LengthConvention convention, Kernel const& kernel);

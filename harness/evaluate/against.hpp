@@ -15,7 +15,7 @@ struct RateComparison {
   std::size_t worst = 0;                  ///< the particle of the largest difference
   std::vector<double> theirs{}, ours{};   ///< its rates
   std::string problem{};                  ///< why there are no numbers
-  bool holds = false;                     ///< whether the largest difference is within the limit
+  bool holds = false;                     ///< whether the largest difference is within the limit, or the rounding of what cancels
 };
 
 /// The schemes of a document of rates. Throws UserError.

@@ -12,6 +12,8 @@
 #include "formulations/walls/finite_face.hpp"
 #include "harness/evaluate/enclosure.hpp"
 #include "harness/evaluate/state.hpp"
+#include "harness/run/exact_fields.hpp"
+#include "reports/json/lists_json.hpp"
 
 namespace sphverify {
 
@@ -46,14 +48,23 @@ std::vector<std::span<double const>> values_of(Particles<Dim> const& particles, 
 
 /// What makes little sense of a smoothing length among these particles.
 template <int Dim>
-Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours) {
+Json remarks_on(Particles<Dim> const& particles, NeighbourList const& neighbours, Domain<Dim> const& domain) {
   Json remarks = Json::array();
   std::size_t const n = particles.size();
   if (n < 2) return remarks;
   double const ratio = particles.kernel().support_ratio();
   double const support = ratio * SmoothingLength(particles).largest();
+  SmoothingLength const h(particles);
   std::size_t alone = 0;
-  for (std::size_t i = 0; i < n; ++i) alone += neighbours.row(i).empty() ? 1 : 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    auto const row = neighbours.row(i);
+    // The list reaches as far as the largest support.
+    bool const is_alone = std::none_of(row.begin(), row.end(), [&](std::uint32_t j) {
+      Vector<Dim> const apart = domain.nearest_image(particles.positions()[i] - particles.positions()[j]);
+      return apart.norm() < h.support(i, j);
+    });
+    alone += is_alone ? 1 : 0;
+  }
   if (alone > 0) {
     remarks.push_back(fmt::format("{} of {} particles have no other within their support, {:g}h = {:.3g} m",
                                   alone, n, ratio, support));
@@ -110,6 +121,38 @@ Json rates_of(SchemeInfo const& scheme, Particles<Dim>& particles, PairGeometry<
   return json;
 }
 
+/// By how much sums of terms as large as these can be off in numbers of that rounding, whatever cancels in them: 128 roundings
+/// of a term of the size of the fields over powers of h.
+template <int Dim>
+double rounding_of_terms(Rate rate, State<Dim> const& state) {
+  Particles<Dim> const& particles = state.particles;
+  auto const largest = [&](Field field) { return particles.has(field) ? largest_magnitude(particles.scalar(field)) : 0.0; };
+  auto const& rho = particles.scalar(Field::density);
+  double const least_density = *std::min_element(rho.begin(), rho.end());
+  auto const& lengths = particles.smoothing_lengths();
+  double const least_length =
+      lengths.empty() ? particles.smoothing_length() : *std::min_element(lengths.begin(), lengths.end());
+  double term = 0.0;
+  switch (rate) {
+    case Rate::acceleration:
+      term = largest(Field::pressure) / (least_density * least_length);
+      break;
+    case Rate::internal_work:
+    case Rate::total_work:
+      for (int k = 0; k < Dim && particles.has(Field::velocity); ++k) {
+        double const speed = largest_magnitude(particles.vector(Field::velocity).component(k));
+        term = std::max(term, largest(Field::pressure) * speed / (least_density * least_length));
+      }
+      break;
+    case Rate::conduction_heating:
+      term = largest(Field::conductivity) * largest(Field::temperature) / (least_density * least_length * least_length);
+      break;
+    case Rate::density:
+      break;
+  }
+  return 128.0 * state.rounding * term;
+}
+
 /// What viscosity adds to the rates of a gas.
 template <int Dim>
 Json viscous_rates(State<Dim>& state, PairGeometry<Dim>& geometry) {
@@ -123,6 +166,9 @@ Json viscous_rates(State<Dim>& state, PairGeometry<Dim>& geometry) {
   add_viscosity(state.viscosity, particles, sweep, rates);
   sweep.run(particles);
   add_viscous_walls(state.viscosity, particles, geometry, state.closure, rates);
+  std::string why = why_not_finite("acceleration", components_of(rates.acceleration, Dim));
+  if (why.empty()) why = why_not_finite("heating", {rates.heating});
+  if (!why.empty()) return {{"acceleration", nullptr}, {"heating", nullptr}, {"reason", why}};
   return {{"acceleration", list(rates.acceleration)}, {"heating", rates.heating}};
 }
 
@@ -169,7 +215,7 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
     CellGrid<Dim> const grid(particles.positions(), state.domain, kernel.support_ratio() * h.largest());
     geometry.domain = state.domain;
     geometry.neighbours = find_neighbours(grid);
-    remarks = remarks_on(particles, geometry.neighbours);
+    remarks = remarks_on(particles, geometry.neighbours, state.domain);
     auto& density = particles.scalar(Field::density);
     if (state.density_rule != DensityRule::given)
       density = summation_density(grid, h, particles.masses());
@@ -200,6 +246,7 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
 
   Json rates = Json::object();
   Json left_out = Json::object();
+  Json rounding = Json::object();
   // With wall terms first; the contacts are then taken away for the controls.
   for (std::string const suffix : {"", "-no-walls"}) {
     if (!suffix.empty()) geometry.contacts.clear();
@@ -210,6 +257,7 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
         left_out[id] = reason;
       } else {
         rates[id] = rates_of(*scheme, particles, geometry, state.closure, state.time);
+        rounding[id] = number(rounding_of_terms(scheme->rate, state));
       }
     }
     std::string const id = viscosity_id + suffix;
@@ -227,6 +275,7 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
           {"walls", walls},
           {"open_towards", open ? Json(std::vector<double>(open->begin(), open->end())) : Json()},
           {"remarks", remarks},
+          {"round_off", rounding},
           {"rates", rates},
           {"left_out", left_out}};
 }

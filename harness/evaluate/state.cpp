@@ -179,10 +179,11 @@ void take_fields(Snapshot const& snapshot, Node const& node, Particles<Dim>& par
         throw UserError(snapshot.file, columns[k], "nothing", fmt::format("{} components", Dim));
       for (std::size_t i = 0; i < found->second.size(); ++i) {
         double const value = found->second[i];
-        bool const is_positive = value > 0.0 || (field.field != Field::mass && field.field != Field::density);
-        if (!std::isfinite(value) || !is_positive)
-          throw UserError(snapshot.file, columns[k], fmt::format("{} of particle {}", value, i),
-                          is_positive ? "a number" : "a positive number");
+        bool const is_positive = field.field == Field::mass || field.field == Field::density;
+        bool const is_in_range = std::abs(value) <= farthest_position && (!is_positive || value >= 1.0 / farthest_position);
+        if (!is_in_range)
+          throw UserError(snapshot.file, columns[k], fmt::format("{:g} of particle {}", value, i),
+                          is_positive ? "a number from 1e-100 to 1e100" : "a number of a size up to 1e100");
       }
       (field.is_vector ? particles.vector(field.field).component(static_cast<int>(k)) : particles.scalar(field.field)) =
           found->second;
@@ -206,8 +207,8 @@ void read_lengths(Node const& node, std::optional<Snapshot> const& snapshot, Par
   if (!snapshot || !snapshot->has("h")) node.at("smoothing_length");  // complains of its absence
   for (std::size_t i = 0; i < particles.size(); ++i) {
     double const h = snapshot->columns.at("h")[i];
-    if (!(h > 0.0) || !std::isfinite(h))
-      throw UserError(snapshot->file, "h", fmt::format("{} of particle {}", h, i), "a positive number");
+    if (!(h >= 1.0 / farthest_position && h <= farthest_position))
+      throw UserError(snapshot->file, "h", fmt::format("{:g} of particle {}", h, i), "a number from 1e-100 to 1e100");
     particles.smoothing_lengths()[i] = h;
   }
 }
@@ -224,6 +225,9 @@ State<Dim> read_state(Node const& document) {
     if (!computed.contains(field.field) && !pass_fields.contains(field.field)) keys.emplace_back(field.name);
   }
   node.require_keys(keys);
+  for (char const* key : {"format", "map", "array"}) {
+    if (auto const option = node.find(key); option && !node.find("file")) option->complain("none: it is of a file, and no `file` is named");
+  }
   std::string kernel_id(default_kernel(Dim).id());
   if (auto const id = document.find("kernel")) kernel_id = id->word(kernel_words());
   std::optional<Snapshot> snapshot;

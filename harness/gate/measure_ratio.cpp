@@ -83,17 +83,17 @@ std::optional<TimeRatio> ratio_of(Cost const& own, Cost const& its) {
 
 std::vector<Quantity<Cost>> const& cost_table() {
   auto const count = [](std::uint64_t Cost::*member) {
-    return [member](Cost const& c) { return Number(static_cast<double>(c.*member)); };
+    return [member](Cost const& c) { return c.is_counted() ? Number(static_cast<double>(c.*member)) : Number(); };
   };
   static std::vector<Quantity<Cost>> const table{
       {"seconds", [](Cost const& c) { return Number(c.seconds); }, ""},
       {"median_seconds", [](Cost const& c) { return c.median.median; }, ""},
       {"cpu_seconds", [](Cost const& c) { return c.cpu_seconds; }, ""},
-      {"setup_seconds", [](Cost const& c) { return Number(c.setup_seconds); }, ""},
+      {"setup_seconds", [](Cost const& c) { return c.is_counted() ? Number(c.setup_seconds) : Number(); }, ""},
       {"steps", count(&Cost::steps), ""},
       {"rate_evaluations", count(&Cost::rate_evaluations), ""},
       {"pair_interactions", count(&Cost::pair_interactions), ""},
-      {"peak_bytes", count(&Cost::peak_bytes), ""}};
+      {"peak_bytes", [](Cost const& c) { return c.peak_bytes > 0 ? Number(static_cast<double>(c.peak_bytes)) : Number(); }, ""}};
   return table;
 }
 

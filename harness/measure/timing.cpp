@@ -73,7 +73,8 @@ void Repeats::repeat() {
   }
   seconds_.push_back(again->seconds);
   spent_ += again->seconds * again->batch;
-  busy_ = busy_ && again->cpu_seconds ? Number(*busy_ + *again->cpu_seconds) : std::nullopt;
+  // A command may wait for what it likes.
+  busy_ = busy_ && again->cpu_seconds && again->is_counted() ? Number(*busy_ + *again->cpu_seconds) : std::nullopt;
   if (!fastest_ || again->seconds < fastest_->seconds) fastest_ = again;
 }
 

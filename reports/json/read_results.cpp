@@ -64,7 +64,8 @@ Cost read_cost(Node const& node) {
   Cost c;
   c.seconds = size_of(node.at("seconds"));
   c.cpu_seconds = optional_size(node.at("cpu_seconds"));
-  c.setup_seconds = size_of(node.at("setup_seconds"));
+  auto const counted = [&](char const* key) { return node.at(key).is_null() ? 0 : count(node.at(key)); };
+  if (!node.at("setup_seconds").is_null()) c.setup_seconds = size_of(node.at("setup_seconds"));
   c.median = read_median(node);
   if (auto const busy = node.find("busy")) c.busy = optional_size(*busy);
   c.repeats = static_cast<int>(count(node.at("repeats")));
@@ -75,10 +76,10 @@ Cost read_cost(Node const& node) {
   if (auto const rounds = node.find("round_seconds")) {
     for (Node const& round : rounds->elements()) c.round_seconds.push_back(size_of(round));
   }
-  c.steps = count(node.at("steps"));
-  c.rate_evaluations = count(node.at("rate_evaluations"));
-  c.pair_interactions = count(node.at("pair_interactions"));
-  c.peak_bytes = count(node.at("peak_bytes"));
+  c.steps = counted("steps");
+  c.rate_evaluations = counted("rate_evaluations");
+  c.pair_interactions = counted("pair_interactions");
+  c.peak_bytes = counted("peak_bytes");
   return c;
 }
 

@@ -89,7 +89,7 @@ void put_median(Json& json, MedianSeconds const& m) {
 Json to_json(Cost const& c) {
   Json json = {{"seconds", number(c.seconds)},
                {"cpu_seconds", number(c.cpu_seconds)},
-               {"setup_seconds", number(c.setup_seconds)}};
+               {"setup_seconds", c.is_counted() ? number(c.setup_seconds) : Json(nullptr)}};
   put_median(json, c.median);
   json["busy"] = number(c.busy);
   json["repeats"] = c.repeats;
@@ -97,10 +97,11 @@ Json to_json(Cost const& c) {
   json["warm_up"] = c.warm_up;
   json["occasion"] = c.occasion.empty() ? Json(nullptr) : Json(c.occasion);
   json["round_seconds"] = numbers(c.round_seconds);
-  json["steps"] = c.steps;
-  json["rate_evaluations"] = c.rate_evaluations;
-  json["pair_interactions"] = c.pair_interactions;
-  json["peak_bytes"] = c.peak_bytes;
+  auto const counted = [&](std::uint64_t n) { return c.is_counted() ? Json(n) : Json(nullptr); };
+  json["steps"] = counted(c.steps);
+  json["rate_evaluations"] = counted(c.rate_evaluations);
+  json["pair_interactions"] = counted(c.pair_interactions);
+  json["peak_bytes"] = c.peak_bytes > 0 ? Json(c.peak_bytes) : Json(nullptr);
   return json;
 }
 

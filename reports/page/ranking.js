@@ -19,8 +19,12 @@ function rankFormulations(one) {
   const none = (value) => value ?? Infinity;
   const times = formulations.map((r) => r.percent.time);
   const untold = formulations.filter((r) => hidesBehindBound(r.percent.time, times));
+  // A bound far above another's is not where to look first, whatever the verdict says.
+  const leastBound = d3.min(untold, (r) => r.percent.time.seconds);
+  const isFar = (r) => r.percent.time.seconds > farBehind * leastBound;
   const before = (a, b) =>
     untold.includes(b) - untold.includes(a) ||
+    (untold.includes(a) && isFar(a) - isFar(b)) ||
     (untold.includes(a) && compare(a.place, b.place)) ||
     compare(none(a.percent.time.seconds), none(b.percent.time.seconds)) ||
     none(a.error) - none(b.error) ||

@@ -116,7 +116,8 @@ function soonestSentences(one, [first, ...others]) {
   const next = others.find((r) => r.percent.ratio && !unsure.includes(r) && !r.percent.ratio.isAlike);
   if (next) {
     const later = `Later: ${next.name}, ${formatSeconds(next.percent.time.seconds)}.`;
-    const ratio = `Next: ${next.name}, ${formatRatio(next.percent.ratio.value)} times as long.`;
+    const least = next.percent.ratio.isAtLeast ? "at least " : "";
+    const ratio = `Next: ${next.name}, ${least}${formatRatio(next.percent.ratio.value)} times as long.`;
     lines.push(["", unsure.length ? later : ratio]);
   }
   return lines;

@@ -288,6 +288,11 @@ std::vector<SummaryGroup> summary_of(std::vector<SeriesRow> const& rows,
       }
     }
     rank(group);
+    for (SummaryRow& row : group.rows) {
+      auto const namesakes = std::count_if(group.rows.begin(), group.rows.end(),
+                                           [&](SummaryRow const& other) { return other.name == row.name; });
+      row.said = namesakes > 1 ? row.name + " (" + row.setting.document + ")" : row.name;
+    }
   }
   return groups;
 }

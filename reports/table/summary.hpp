@@ -40,6 +40,7 @@ struct AgainstFirst {
 struct SummaryRow {
   Setting setting;   ///< of one of its ladders
   std::string name;  ///< of the formulation, as tables name it
+  std::string said;  ///< the same in sentences, where several documents have it with its document
   std::string label;
   bool is_control = false;
   std::vector<std::string> choices;  ///< what of the setting was varied, by the names of `setting_words`

@@ -144,7 +144,7 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
   for (SummaryRow const* other : others) {
     bool const ends_as_well =
         other->failed == row.failed && other->missing == row.missing && other->diverging == row.diverging;
-    if (ends_as_well && !is_told_from_first(*other)) rivals.push_back(other->name);
+    if (ends_as_well && !is_told_from_first(*other)) rivals.push_back(other->said);
   }
   if (others.empty() || !row.error) {
     parts.push_back(error_text(row));
@@ -152,8 +152,8 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
     parts.insert(parts.begin(), error_text(row));
     // Told from the first is not told from each other.
     return rivals.size() == 1
-               ? fmt::format("{} and {} cannot be told apart: {}", row.name, rivals.front(), join(parts))
-               : fmt::format("{} cannot be told from {}: {}", row.name, join(rivals, " or "), join(parts));
+               ? fmt::format("{} and {} cannot be told apart: {}", row.said, rivals.front(), join(parts))
+               : fmt::format("{} cannot be told from {}: {}", row.said, join(rivals, " or "), join(parts));
   } else if (is_smallest) {
     std::string const where = scenes == 1        ? ""
                               : row.nearest == 0 ? " in the mean"
@@ -162,7 +162,7 @@ std::string first_sentence(SummaryRow const& row, std::vector<SummaryRow const*>
   } else {
     parts.insert(parts.begin(), "fails and diverges least: " + error_text(row));
   }
-  return row.name + ": " + join(parts);
+  return row.said + ": " + join(parts);
 }
 
 std::string against_text(AgainstFirst const& a, std::string const& first) {
@@ -216,12 +216,12 @@ std::string below_table(SummaryGroup const& group, bool controls, TextStyle cons
     if (row.is_control != controls) continue;
     if (&row == &group.rows.front() && row.orderless && !controls) {
       std::string const where = several ? scene_name(group, *row.orderless) + ": " : "";
-      text += line_of(fmt::format("No order of {}: {}{}.", row.name, where,
+      text += line_of(fmt::format("No order of {}: {}{}.", row.said, where,
                                   first_clause(row.ladders[*row.orderless].reason)),
                       style);
     }
     if (several && row.floor && !controls)
-      floors.push_back(row.name + " on " + scene_name(group, row.floor_scene));
+      floors.push_back(row.said + " on " + scene_name(group, row.floor_scene));
   }
   return floors.empty() ? text : text + line_of("Floors: " + join(floors, "; ") + ".", style);
 }
@@ -311,10 +311,10 @@ std::vector<std::string> sentences(SummaryGroup const& group) {
   std::vector<std::string> all{first_sentence(*rows.front(), others)};
   for (SummaryRow const* row : others) {
     std::vector<std::string> parts = troubles(*row);
-    std::string const compared = against_text(row->against_first, rows.front()->name);
+    std::string const compared = against_text(row->against_first, rows.front()->said);
     if (!compared.empty()) parts.push_back(compared);
     if (parts.empty()) parts.push_back(error_text(*row));
-    all.push_back(row->name + ": " + join(parts));
+    all.push_back(row->said + ": " + join(parts));
   }
   return all;
 }

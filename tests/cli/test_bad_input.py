@@ -530,7 +530,8 @@ class States(BadInput):
                 self.refuse_this(f"particles.{key}[2]: found {value}", "positive")
         for value in (0, -1, [1], "1", None):
             self.particles["smoothing_length"] = value
-            self.refuse_this("particles.smoothing_length", "a number from 1e-100 to 1e+100")
+            expected = "one per position" if isinstance(value, list) else "a number from 1e-100 to 1e+100"
+            self.refuse_this("particles.smoothing_length", expected)
 
     def test_vectors_of_another_dimension_are_refused(self):
         self.particles["position"][2] = [0.5, 0.5]

@@ -122,7 +122,7 @@ class OwnRates(ProgramTest):
     def test_lists_that_cannot_be_compared_fail_with_the_reason(self):
         heating = self.sums()["conduction/brookshaw"]["heating"]
         for rates, words in (
-            ({"conduction/brookshav": {"heating": heating}}, "no such scheme"),
+            ({"conduction/brookshav": {"heating": heating}}, "no such rates: one of `sphverify list formulations` (did you mean 'conduction/brookshaw'?"),
             ({"conduction/brookshaw": {"cooling": heating}}, "sphverify gives heating"),
             ({"conduction/brookshaw": {"heating": heating[:-1]}}, "29 particles, expected 30"),
             ({"conduction/brookshaw": {"heating": [[a] * 2 for a in heating]}}, "2 components"),
@@ -157,6 +157,67 @@ class OwnRates(ProgramTest):
             changed = {name: values for name, values in {**columns, **change}.items() if values is not None}
             write_csv(self.folder / "particles.csv", changed)
             self.assert_user_error(self.run_program("evaluate", self.state({"file": "particles.csv"})), *words[:1])
+
+    def test_rates_that_cancel_are_held_to_the_rounding_of_their_terms(self):
+        """A gas at almost the same pressure everywhere: sums of terms of order 1/h, of which a part in 10^5 is left."""
+        n = 40
+        x = [(i + 0.5) / n for i in range(n)]
+        P = [1 + 1e-5 * math.sin(2 * math.pi * one) for one in x]
+        particles = {"position": [[one] for one in x], "mass": [1 / n] * n, "density": [1.0] * n, "pressure": P,
+                     "smoothing_length": 1.2 / n}  # fmt: skip
+        state = self.state(particles, periodic=[[0, 1]])
+        rates = []
+        for i in range(n):
+            sums = 0.0
+            for j in range(n):
+                d = (x[i] - x[j] + 0.5) % 1 - 0.5
+                if j != i and abs(d) < 2.4 / n:
+                    sums -= (P[i] + P[j]) / n * slope(abs(d), 1.2 / n) * (1 if d > 0 else -1)
+            rates.append([sums])
+        done = self.against(state, {"momentum/p-rho2": {"acceleration": rates}}, "--limit", "1e-15", "-o", self.folder / "rates.json")
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertIn("off by no more than rounding of its terms", done.stdout)
+        document = strict_json((self.folder / "rates.json").read_text())
+        self.assert_valid("sphverify-rates-1", document)
+        # 128 roundings of P/(rho h), 2^-53 each.
+        self.assertAlmostEqual(document["round_off"]["momentum/p-rho2"], 2.0**-46 * max(P) * n / 1.2, delta=1e-14)
+        rates[3][0] += 2 * document["round_off"]["momentum/p-rho2"]
+        done = self.against(state, {"momentum/p-rho2": {"acceleration": rates}}, "--limit", "1e-15")
+        self.assertEqual(done.returncode, GATE_FAILED)
+        self.assertIn("worst is particle 3", done.stdout)
+
+    def test_walls_take_part_in_viscosity_and_leave_with_their_terms(self):
+        walls = [{"point": [0.0], "outward_normal": [-1.0], "velocity": [0.3], "pressure": 1.0},
+                 {"point": [1.0], "outward_normal": [1.0], "velocity": [-0.3], "pressure": 1.0}]  # fmt: skip
+        with_walls = strict_json(self.succeed("evaluate", self.state(walls=walls)))["rates"]
+        plain = strict_json(self.succeed("evaluate", self.state()))["rates"]
+        self.assertEqual(with_walls["viscosity/monaghan-no-walls"], plain["viscosity/monaghan"])
+        differ = [i for i in range(COUNT)
+                  if with_walls["viscosity/monaghan"]["acceleration"][i] != plain["viscosity/monaghan"]["acceleration"][i]]  # fmt: skip
+        self.assertTrue(differ)
+        for i in differ:  # within the support of a wall, towards which it moves
+            self.assertLess(min(self.x[i], 1 - self.x[i]), 2 * self.h[i])
+
+    def test_who_has_nobody_near_is_counted_by_its_own_length(self):
+        particles = {"position": [[(i + 0.5) / 20] for i in range(20)], "mass": [0.05] * 20, "density": [1.0] * 20,
+                     "temperature": [1.0] * 20, "conductivity": [1.0] * 20, "smoothing_length": [0.01] * 19 + [0.08]}  # fmt: skip
+        remarks = strict_json(self.succeed("evaluate", self.state(particles)))["remarks"]
+        self.assertTrue(any(one.startswith("18 of 20 particles") for one in remarks), remarks)
+
+    def test_words_that_are_nothing_are_refused(self):
+        state = self.state()
+        for words, said in (
+            (["--only", "conduction/brookshav"], "did you mean 'conduction/brookshaw'"), (["--only", ""], "--only"),
+        ):  # fmt: skip
+            self.assert_user_error(self.run_program("evaluate", state, *words), said)
+        self.assert_user_error(self.against(state, {"conduction/brookshaw": {"heating": None}}), "no list that is not null")
+        self.assert_user_error(self.against(state, self.sums(), "--limit", "nan"), "--limit")
+        done = self.run_program("evaluate", state, "--against", self.write("t.json", {"rates": self.sums()}), "-o", self.folder / "t.json")
+        self.assert_user_error(done, "t.json")
+        huge = {"conduction/brookshaw": {"heating": [1e308] * COUNT}}
+        done = self.against(state, huge, "-o", self.folder / "rates.json")
+        self.assertEqual(done.returncode, GATE_FAILED)
+        self.assert_valid("sphverify-rates-1", strict_json((self.folder / "rates.json").read_text()))
 
     def test_one_length_for_all_is_a_list_of_equal_ones(self):
         particles = {"position": [[x] for x in self.x], "mass": self.m, "density": "normalised", "temperature": self.T,

@@ -226,6 +226,66 @@ class Snapshots(Codes):
         self.refused(entry("h.hdf5"), "map.T", "temp", case=GRESHO, map={"temperature": "temp"})
         self.refused(entry("h.hdf5"), "csv", case=GRESHO, format="csv")
 
+    def ours(self, name="ours.hdf5", **changes):
+        """A slab in our own format, as a file open for more."""
+        file = h5py.File(self.folder / name, "w")
+        file.attrs["schema"] = changes.get("schema", "sphverify-snapshot/1")
+        file.attrs["time"] = 0.01
+        file["x"] = (numpy.arange(16) + 0.5) / 16
+        file["m"] = numpy.full(16, 1 / 16)
+        return file
+
+    def test_hostile_files_are_refused_too(self):
+        """What a damaged or an unfriendly file may hold, each of which has ended a reader by a signal, or never."""
+        entry = [{"file": "ours.hdf5", "resolution": 16}]
+        texts = numpy.array(["sphverify-snapshot/1"] * 500, dtype=h5py.string_dtype())
+        for schema in (texts, numpy.array([b"sphverify-snapshot/1"] * 2000, dtype="S20")):
+            with self.ours(schema=schema) as file:
+                file["T"] = numpy.ones(16)
+            self.refused(entry, "another kind")
+        with self.ours() as file:
+            file.create_dataset("T", shape=(10**12,), chunks=(1024,), dtype="f8")
+        self.refused(entry, "1000000000000 rows", "fits into")
+        with self.ours() as file:
+            file.create_dataset("T", shape=(2**60,), chunks=(1024,), dtype="f8")
+        self.refused(entry, "rows")
+        with self.ours() as file:
+            layout = h5py.VirtualLayout((16,), "f8")
+            layout[:] = h5py.VirtualSource("ours.hdf5", "T", shape=(16,))
+            file.create_virtual_dataset("T", layout)
+        self.refused(entry, "a part of itself")
+        with self.ours() as file:
+            file.create_dataset("T", (16,), "f8", external=[("/dev/urandom", 0, 128)])
+        self.refused(entry, "T", "in another file")
+        with self.ours() as file:
+            file["T"] = h5py.ExternalLink("elsewhere.hdf5", "T")
+        self.refused(entry, "T")
+        for tag in (numpy.zeros((576, 0)), numpy.ones(5)):
+            name = self.write_pysph("tags.hdf5", arrays=("fluid",))
+            with h5py.File(self.folder / name, "r+") as file:
+                del file["particles/fluid/arrays/tag"]
+                file["particles/fluid/arrays/tag"] = tag
+            self.refused([{"file": name, "resolution": 24}], "tag", case=GRESHO)
+
+    def test_parts_are_as_rough_as_the_roughest_and_may_be_empty(self):
+        parts = []
+        for k, kind in enumerate(("f8", "f4", "f2")):
+            name = f"part{k}.hdf5"
+            x = (numpy.arange(16) + 0.5) / 16
+            mine = slice(0, 8) if k == 0 else slice(8, 16)
+            with h5py.File(self.folder / name, "w") as file:
+                file.attrs["schema"], file.attrs["time"] = "sphverify-snapshot/1", 0.01
+                file["x"], file["m"], file["T"] = x[mine], numpy.full(8, 1 / 16), (1 + x[mine]).astype(kind)
+            parts.append(name)
+        with h5py.File(self.folder / "empty.hdf5", "w") as file:
+            file.attrs["schema"], file.attrs["time"] = "sphverify-snapshot/1", 0.01
+            for name in ("x", "m", "T"):
+                file[name] = numpy.zeros(0)
+        for files, rounding in ((parts[:2], 2.0**-24), (parts[1::-1], 2.0**-24), ([parts[0], "empty.hdf5", parts[2]], 2.0**-11)):
+            run = self.assess([{"file": files, "resolution": 16}])["runs"][0]
+            error = run["errors"]["temperature"]["all"]
+            self.assertAlmostEqual(error["round_off"] / error["scale"]["linf"], rounding, delta=1e-3 * rounding)
+
     def test_formats_of_single_precision_end_in_a_floor(self):
         """A code that is right to the last bit of single precision converges no further, and the verdict says so."""
         entries = []

@@ -8,6 +8,8 @@
 #include <mutex>
 #include <numeric>
 
+#include "harness/codes/snapshot.hpp"
+#include "harness/study/available_memory.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify::hdf5 {
@@ -34,6 +36,11 @@ bool is_number(hid_t type) {
 }
 
 }  // namespace
+
+std::mutex& library() {
+  static std::mutex mutex;
+  return mutex;
+}
 
 InputFile::InputFile(std::string const& path) : path_(path) {
   be_quiet();
@@ -96,7 +103,8 @@ std::optional<std::string> InputFile::text(std::string const& place, std::string
   Attribute const attribute = open_attribute(file_, place, name);
   if (!attribute.is_open()) return std::nullopt;
   Type const type(H5Aget_type(attribute));
-  if (H5Tget_class(type) != H5T_STRING) return std::nullopt;
+  Space const space(H5Aget_space(attribute));
+  if (H5Tget_class(type) != H5T_STRING || H5Sget_simple_extent_npoints(space) != 1) return std::nullopt;
   if (H5Tis_variable_str(type) > 0) {
     char* pointer = nullptr;
     Type const memory(H5Tcopy(H5T_C_S1));
@@ -112,6 +120,41 @@ std::optional<std::string> InputFile::text(std::string const& place, std::string
   return value.substr(0, value.find('\0'));
 }
 
+namespace {
+
+constexpr double bytes_per_number = 24.0;     // as read, by column, and where it is used
+constexpr double half_rounding = 0x1p-11;
+
+/// Of a virtual data set whose parts are itself the library never comes to an end.
+bool is_part_of_itself(hid_t properties, std::string const& path, std::string const& place) {
+  std::size_t parts = 0;
+  if (H5Pget_virtual_count(properties, &parts) < 0) return false;
+  std::string const name = std::filesystem::path(path).filename().string();
+  for (std::size_t k = 0; k < parts; ++k) {
+    std::array<char, 4096> file{}, set{};
+    H5Pget_virtual_filename(properties, k, file.data(), file.size());
+    H5Pget_virtual_dsetname(properties, k, set.data(), set.size());
+    bool const is_same_file = std::string_view(file.data()) == "." || std::filesystem::path(file.data()).filename() == name;
+    std::string_view const inside(set.data());
+    if (is_same_file && (inside == place || "/" + std::string(inside) == "/" + place || inside == "/" + place)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+/// What it holds is in this file, or in parts of it beside, not in anything that a link or a list of raw files names.
+void InputFile::require_own_storage(hid_t set, std::string const& place) const {
+  Properties const properties(H5Dget_create_plist(set));
+  bool const is_raw = H5Pget_external_count(properties) > 0;
+  bool const is_circular = H5Pget_layout(properties) == H5D_VIRTUAL && is_part_of_itself(properties, path_, place);
+  H5L_info_t link{};
+  bool const is_elsewhere =
+      H5Lget_info(file_, place.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_EXTERNAL;
+  if (is_raw || is_elsewhere) throw UserError(path_, place, "numbers in another file", "numbers in this one");
+  if (is_circular) throw UserError(path_, place, "a virtual data set that is a part of itself", "numbers");
+}
+
 DataSet InputFile::read(std::string const& place) const {
   Set const set(H5Dopen2(file_, place.c_str(), H5P_DEFAULT));
   if (!set.is_open()) throw UserError(path_, place, "no data set", "a list of numbers");
@@ -122,11 +165,17 @@ DataSet InputFile::read(std::string const& place) const {
     throw UserError(path_, place, "something else", "a list of numbers, or of vectors");
   std::array<hsize_t, 2> extent{0, 1};
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
+  require_own_storage(set, place);
   DataSet data;
   data.rows = extent[0];
   data.columns = extent[1];
-  if (data.columns > 16) throw UserError(path_, place, fmt::format("{} columns", data.columns), "at most 16");
-  data.is_single = H5Tget_class(type) == H5T_FLOAT && H5Tget_size(type) < sizeof(double);
+  if (data.columns < 1 || data.columns > 16) throw UserError(path_, place, fmt::format("{} columns", data.columns), "1 to 16");
+  double const bytes = bytes_per_number * static_cast<double>(data.rows) * static_cast<double>(data.columns);
+  if (bytes > available_memory())
+    throw UserError(path_, place, fmt::format("{} rows, which take about {:.3g} GB", data.rows, 1e-9 * bytes),
+                    fmt::format("what fits into {:.3g} GB", 1e-9 * available_memory()));
+  std::size_t const size = H5Tget_size(type);
+  if (H5Tget_class(type) == H5T_FLOAT && size < sizeof(double)) data.rounding = size < sizeof(float) ? half_rounding : single_rounding;
   data.values.resize(data.rows * data.columns);
   if (data.rows > 0 && H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()) < 0)
     throw UserError(path_, place, "numbers that cannot be read (cut short?)", "a whole file");

@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,9 @@
 
 // HDF5 files by the library of that name. Throw UserError, which names the file and the place in it.
 namespace sphverify::hdf5 {
+
+/// Held by whoever uses the library, which may not be built for several threads.
+std::mutex& library();
 
 /// Closes what the library opened.
 template <herr_t (*close)(hid_t)>
@@ -34,7 +38,7 @@ class Handle {
 struct DataSet {
   std::vector<double> values;
   std::size_t rows = 0, columns = 1;
-  bool is_single = false;  ///< stored with the precision of single, or less
+  double rounding = 0.0;  ///< relative, of numbers stored with less than double precision
 };
 
 class InputFile {
@@ -55,6 +59,8 @@ class InputFile {
   DataSet read(std::string const& place) const;
 
  private:
+  void require_own_storage(hid_t set, std::string const& place) const;
+
   std::string path_;
   Handle<H5Fclose> file_;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 
 #include "harness/codes/hdf5.hpp"
 #include "harness/codes/hdf5/file.hpp"
@@ -57,7 +58,7 @@ void put(Snapshot& snapshot, InputFile const& file, std::string const& place, st
     std::vector<double> values(set.rows);
     for (std::size_t i = 0; i < set.rows; ++i) values[i] = set.values[i * set.columns + k];
     snapshot.columns[columns[k]] = std::move(values);
-    if (set.is_single) snapshot.rounding[columns[k]] = single_rounding;
+    if (set.rounding > 0.0) snapshot.rounding[columns[k]] = set.rounding;
   }
 }
 
@@ -65,19 +66,20 @@ void put(Snapshot& snapshot, InputFile const& file, std::string const& place, st
 void read_columns(Snapshot& snapshot, InputFile const& file, std::string const& group, std::vector<Name> const& names,
                   SnapshotOptions const& options) {
   std::vector<std::string> const inside = file.names(group, most_groups);
+  std::string const within = group == "/" ? "" : group + "/";
   auto const holds = [&](std::string const& set) { return std::find(inside.begin(), inside.end(), set) != inside.end(); };
   for (auto const& [column, set] : options.names) {
-    if (!holds(set)) throw UserError(file.path(), "map." + column, "no data set " + group + "/" + set, one_of(set, inside));
+    if (!holds(set)) throw UserError(file.path(), "map." + column, "no data set " + within + set, one_of(set, inside));
     std::vector<std::string> columns{column};
     if (column == "x") columns = positions;
     if (column == "vx") columns = velocities;
-    put(snapshot, file, group + "/" + set, columns);
+    put(snapshot, file, within + set, columns);
   }
   for (Name const& name : names) {
     if (snapshot.has(name.columns.front())) continue;
     for (std::string const& set : name.sets) {
       if (!holds(set)) continue;
-      put(snapshot, file, group + "/" + set, name.columns);
+      put(snapshot, file, within + set, name.columns);
       break;
     }
   }
@@ -145,8 +147,10 @@ void read_pysph(Snapshot& snapshot, InputFile const& file, SnapshotOptions const
   snapshot.remarks.push_back(fmt::format("array {}", array));
   if (file.has(group + "/tag")) {
     DataSet const tags = file.read(group + "/tag");
+    if (tags.columns != 1 || tags.rows != n)
+      throw UserError(file.path(), group + "/tag", fmt::format("{} tags", tags.rows), fmt::format("{}, one per particle", n));
     std::vector<char> keep(n, 1);
-    for (std::size_t i = 0; i < n && tags.rows == n; ++i) keep[i] = tags.values[i] == 0.0;
+    for (std::size_t i = 0; i < n; ++i) keep[i] = tags.values[i] == 0.0;
     std::size_t const ghosts = static_cast<std::size_t>(std::count(keep.begin(), keep.end(), 0));
     keep_only(snapshot, keep);
     if (ghosts > 0) snapshot.remarks.push_back(fmt::format("{} ghosts left out (tag not 0)", ghosts));
@@ -180,6 +184,7 @@ void drop_dead(Snapshot& snapshot) {
 bool can_read_hdf5() { return true; }
 
 Snapshot read_hdf5_snapshot(std::string const& path, SnapshotOptions const& options) {
+  std::scoped_lock const lock(hdf5::library());
   InputFile const file(path);
   Snapshot snapshot{.file = path, .format = options.format == "auto" ? format_of(file) : options.format};
   if (options.format == "auto") snapshot.remarks.push_back("taken for the format " + snapshot.format);
@@ -196,7 +201,6 @@ Snapshot read_hdf5_snapshot(std::string const& path, SnapshotOptions const& opti
     read_part_types(snapshot, file, options);
   }
   drop_dead(snapshot);
-  if (snapshot.size() == 0) throw UserError(path, "", "no particles", "some");
   return snapshot;
 }
 

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <mutex>
+
 #include "harness/codes/hdf5.hpp"
 #include "harness/codes/hdf5/file.hpp"
 
@@ -89,6 +91,7 @@ void write_pysph(OutputFile& file, Snapshot const& s) {
 }  // namespace
 
 void write_hdf5_snapshot(std::string const& path, Snapshot const& snapshot, Hdf5Choice const& choice) {
+  std::scoped_lock const lock(hdf5::library());
   OutputFile file(path);
   if (choice.format == "swift") {
     write_swift(file, snapshot, choice);

@@ -14,6 +14,7 @@ RunRecord run() {
   record.conservation["energy"] = {1.0, 1.0, 0.0, 1e-17, {}, {}};
   record.cost.emplace().seconds = 0.5;
   record.cost->steps = 7;
+  record.cost->rate_evaluations = 14;
   return record;
 }
 

@@ -52,6 +52,17 @@ BOOST_AUTO_TEST_CASE(new_fields_are_zero_and_allocating_again_keeps_their_values
   BOOST_TEST(particles.vector(Field::velocity)[2][1] == 2.0);
 }
 
+BOOST_AUTO_TEST_CASE(tensor_field_sets_and_adds_one_particle) {
+  TensorField<3> field(4);
+  Tensor<3> first, second;
+  first << 1.0, 2.0, 3.0, 2.0, 4.0, 5.0, 3.0, 5.0, 6.0;
+  second << 0.5, 0.25, -1.0, 0.25, 0.0, 2.0, -1.0, 2.0, -3.0;
+  field.set(2, first);
+  field.add(2, second);
+  BOOST_TEST((field[2] - first - second).norm() == 0.0);
+  BOOST_TEST(field[1].norm() == 0.0);
+}
+
 BOOST_AUTO_TEST_CASE(vector_field_sets_and_adds_one_particle) {
   VectorField<3> field(4);
   field.set(2, {1.0, 2.0, 3.0});

@@ -41,7 +41,7 @@ inline RunRecord seeded(RunRecord run, std::uint64_t seed) {
 inline RunRecord timed(RunRecord run, double seconds, std::uint64_t steps = 10) {
   Cost& cost = run.cost.emplace();
   cost.seconds = seconds;
-  cost.steps = steps;
+  cost.steps = cost.rate_evaluations = steps;
   return run;
 }
 

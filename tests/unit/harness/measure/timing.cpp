@@ -23,6 +23,7 @@ struct FakeRun {
     cost.seconds = times[static_cast<std::size_t>(carried_out++) % times.size()];
     cost.cpu_seconds = cpu_share * cost.seconds;
     cost.steps = static_cast<std::uint64_t>(carried_out);
+    cost.rate_evaluations = 1;
     cost.batch = batch;
     return cost;
   }
@@ -133,14 +134,19 @@ BOOST_AUTO_TEST_CASE(the_fastest_repeat_is_kept_with_the_median_of_all) {
 
 BOOST_AUTO_TEST_CASE(busy_is_of_all_repeats_and_missing_with_several_threads) {
   int call = 0;
+  bool is_ours = true;
   auto const disturbed = [&]() -> std::optional<Cost> {
     Cost cost;
     cost.seconds = ++call == 1 ? 1.0 : 3.0;  // the second waited for the processor for two seconds
     cost.cpu_seconds = 1.0;
+    cost.rate_evaluations = is_ours ? 1 : 0;
     return cost;
   };
   RepeatRule const twice{.most = 2, .least = 2, .spread = 0.0, .seconds = 0.0};
   BOOST_TEST(*time_repeats(twice, disturbed, [] { return false; })->busy == 0.5);
+  // A code that is not ours, whose rates nobody counted, may wait for what it likes.
+  is_ours = false;
+  BOOST_TEST(!time_repeats(twice, disturbed, [] { return false; })->busy.has_value());
   auto const threaded = [&]() -> std::optional<Cost> {
     Cost cost;
     cost.seconds = 1.0;

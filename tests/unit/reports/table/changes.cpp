@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "harness/measure/series.hpp"
+#include "reports/table/changes_table.hpp"
 
 BOOST_AUTO_TEST_SUITE(reports_table_changes)
 
@@ -371,6 +372,21 @@ BOOST_AUTO_TEST_CASE(envelopes_should_repeat_unless_they_were_bisected_otherwise
   Results late = limits(0.5, 0.6);
   late.envelopes[0].status = late.envelopes[0].points[0].status = "timed-out";
   BOOST_TEST(not_repeated(late) == 0);
+}
+
+BOOST_AUTO_TEST_CASE(of_many_ladders_that_only_one_has_five_are_named_and_the_others_counted) {
+  for (std::size_t const more : {0u, 2u}) {
+    std::vector<Ladder> ladders{Ladder{}};
+    for (std::size_t k = 0; k < 5 + more; ++k) ladders.push_back({.formulation = "conduction/own-" + std::to_string(k)});
+    Compared const c(results_of({Ladder{}}), results_of(ladders));
+    BOOST_TEST(c.changes.only_after.size() == 5 + more);
+    std::string const text = changes_text(c.changes, CompareOptions{});
+    BOOST_TEST(text.find(std::to_string(5 + more) + " only in after:") != std::string::npos, text);
+    BOOST_TEST(text.find("own-4") != std::string::npos, text);
+    BOOST_TEST((text.find("own-5") != std::string::npos) == false, text);
+    BOOST_TEST((text.find("  and 2 more\n") != std::string::npos) == (more > 0), text);
+    BOOST_TEST(text.find("and 0 more") == std::string::npos, text);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(every_document_is_compared_with_the_first) {

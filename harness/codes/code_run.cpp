@@ -209,15 +209,15 @@ void run_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& 
   std::string const output = start.output();
   record.output = as_document_text(output);
   std::string const said = last_line(output);
-  auto const fail = [&](std::string const& status, std::string const& why) {
-    record.status = status;
+  auto const fail = [&](std::string const& why) {
+    record.status = "failed";
     record.reason = why + (said.empty() ? "" : "; its last line: " + said) + start.hint();
   };
   run.spent_seconds = clock.seconds();
   if (std::string const why = why_failed(outcome, *spec.code, options.time_budget); !why.empty())
-    return fail(outcome.end == ChildOutcome::End::out_of_time ? "timed-out" : "failed", why);
+    return fail(why);
   std::error_code ignored;
-  if (!fs::is_regular_file(start.final_file(), ignored)) return fail("failed", "the command wrote no {final}");
+  if (!fs::is_regular_file(start.final_file(), ignored)) return fail("the command wrote no {final}");
   try {
     Snapshot last = read_snapshot({start.final_file()}, spec.code->options);
     last.file = "{final}";
@@ -227,9 +227,9 @@ void run_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& 
   } catch (UserError const& error) {
     std::string why = error.what();
     replace_all(why, start.final_file(), "{final}");
-    return fail("failed", why);
+    return fail(why);
   } catch (std::bad_alloc const&) {
-    return fail("failed", "{final} does not fit into memory");
+    return fail("{final} does not fit into memory");
   }
   if (record.status != "ok" || !options.measure.contains(Measure::cost)) return;
   RepeatRule const& rule = options.repeat;

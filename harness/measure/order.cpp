@@ -19,8 +19,8 @@ floor      F with its interval, where the levels tell that there is one
 targets    the N at which the likeliest law comes down to an error, or that it never does
 left out   levels whose error is at the run's `round_off`, and those before the signed error passed
            through zero, if it did so once: they say nothing of the order
-not-refined    fewer than three spacings, a finest level that ran out of time, or an error that does
-               not change at all (below 1 part in 1e6)
+not-refined    fewer than three spacings, a finest level that ran out of time or whose command failed,
+               or an error that does not change at all (below 1 part in 1e6)
 floored        the error reached round-off; or most of the finest error is a floor, at 95%
                confidence; or the order at the finest level is surely below 1/4 (of what the
                solution allows, if that is less than 1) and above -1/4, unless it is known as
@@ -271,7 +271,7 @@ ObservedOrder observed_order(std::vector<LadderLevel> const& levels, LadderConte
   }
 
   if (!levels.empty() && levels.back().errors.empty()) {
-    if (levels.back().out_of_time) return say("not-refined", "the finest level ran out of time");
+    if (levels.back().out_of_time) return say("not-refined", "the finest level ran out of time, or its command failed");
     return say("diverging", "the finest level has no error");
   }
   if (levels.size() < 3) return say("not-refined", "fewer than three spacings");

@@ -126,7 +126,7 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
     if (!failures.empty()) step.errors.clear();
     step.out_of_time =
         !failures.empty() && std::all_of(failures.begin(), failures.end(),
-                                         [](auto const& status) { return status == "timed-out"; });
+                                         [](auto const& status) { return status == "timed-out" || status == "failed"; });
     auto const average = [](std::vector<double> const& values) -> Number {
       if (values.empty()) return std::nullopt;
       return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

@@ -135,8 +135,8 @@ bool is_part_of_itself(hid_t properties, std::string const& path, std::string co
     H5Pget_virtual_filename(properties, k, file.data(), file.size());
     H5Pget_virtual_dsetname(properties, k, set.data(), set.size());
     bool const is_same_file = std::string_view(file.data()) == "." || std::filesystem::path(file.data()).filename() == name;
-    std::string_view const inside(set.data());
-    if (is_same_file && (inside == place || "/" + std::string(inside) == "/" + place || inside == "/" + place)) return true;
+    auto const from_root = [](std::string_view name_of_set) { return name_of_set.substr(std::min(name_of_set.find_first_not_of('/'), name_of_set.size())); };
+    if (is_same_file && from_root(set.data()) == from_root(place)) return true;
   }
   return false;
 }

@@ -144,7 +144,7 @@ void read_pysph(Snapshot& snapshot, InputFile const& file, SnapshotOptions const
   std::string const group = "particles/" + array + "/arrays";
   read_columns(snapshot, file, group, names_of_pysph, options);
   std::size_t const n = snapshot.size();
-  snapshot.remarks.push_back(fmt::format("array {}", array));
+  if (file.names("particles", most_groups).size() > 1) snapshot.remarks.push_back(fmt::format("array {}", array));
   if (file.has(group + "/tag")) {
     DataSet const tags = file.read(group + "/tag");
     if (tags.columns != 1 || tags.rows != n)

@@ -171,12 +171,14 @@ BOOST_AUTO_TEST_CASE(a_finest_level_that_ran_out_of_time_is_not_refined_unless_o
   for (int const n : {25, 50, 100}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) runs.push_back(seeded(run_at(n, 1.0 / n), seed));
   }
-  runs.back().status = "timed-out";
   runs.back().errors.clear();
-  OrderEntry const entry = *find(build_series(runs)[0], "l2");
-  BOOST_TEST(entry.observed.verdict == "not-refined");
-  BOOST_TEST(entry.observed.reason == "the finest level ran out of time");
-  BOOST_TEST(!entry.levels[2].error.has_value());
+  for (char const* status : {"timed-out", "failed"}) {
+    runs.back().status = status;
+    OrderEntry const entry = *find(build_series(runs)[0], "l2");
+    BOOST_TEST(entry.observed.verdict == "not-refined", status);
+    BOOST_TEST(entry.observed.reason == "the finest level ran out of time, or its command failed");
+    BOOST_TEST(!entry.levels[2].error.has_value());
+  }
   runs[6].status = "unstable";
   runs[6].errors.clear();
   BOOST_TEST(find(build_series(runs)[0], "l2")->observed.verdict == "diverging");

@@ -776,6 +776,15 @@ class External(Codes):
         listed = subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout
         self.assertNotIn(mark, listed)
 
+    def test_what_a_run_leaves_is_ended_while_others_go_on(self):
+        mark = f"sleep 94{os.getpid() % 1000:03d}"
+        codes = [
+            self.code("leaves", "/bin/sh", "-c", f"setsid {mark} & exit 0", "{initial}", "{final}"),
+            self.code("looks", "/bin/sh", "-c", f"sleep 2; ps -eo args | grep -c '[s]{mark[1:]}'; exit 1", "{initial}", "{final}"),
+        ]
+        document = self.run_study(codes, "--jobs", "2", resolution=[8])
+        self.assertEqual(document["runs"][1]["output"], "0\n")
+
     def test_an_interrupted_study_ends_its_codes_and_resumes(self):
         mark = f"sleep 97{os.getpid() % 1000:03d}"
         slow = self.code("slow", "/bin/sh", "-c", f"test -e {self.folder}/go && exit 1; {mark}", "{initial}", "{final}")

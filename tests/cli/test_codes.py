@@ -766,7 +766,7 @@ class External(Codes):
         mark = f"sleep 98{os.getpid() % 1000:03d}"
         codes = [
             self.code("hangs", "/bin/sh", "-c", f"(setsid {mark} &); {mark}", "{initial}", "{final}"),
-            self.code("leaves", "/bin/sh", "-c", f"setsid {mark} & exit 0", "{initial}", "{final}"),
+            self.code("leaves", "/bin/sh", "-c", f"setsid {mark} & sleep 0.3; exit 0", "{initial}", "{final}"),
         ]
         start = time.monotonic()
         document = self.run_study(codes, resolution=[8], time_budget=1)
@@ -779,7 +779,7 @@ class External(Codes):
     def test_what_a_run_leaves_is_ended_while_others_go_on(self):
         mark = f"sleep 94{os.getpid() % 1000:03d}"
         codes = [
-            self.code("leaves", "/bin/sh", "-c", f"setsid {mark} & exit 0", "{initial}", "{final}"),
+            self.code("leaves", "/bin/sh", "-c", f"setsid {mark} & sleep 0.3; exit 0", "{initial}", "{final}"),
             self.code("looks", "/bin/sh", "-c", f"sleep 2; ps -eo args | grep -c '[s]{mark[1:]}'; exit 1", "{initial}", "{final}"),
         ]
         document = self.run_study(codes, "--jobs", "2", resolution=[8])

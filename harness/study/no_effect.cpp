@@ -137,6 +137,10 @@ void require_measures(Asked const& asked) {
     bool const of_time =
         word == "stability" || word == "stable-step" || word == "spectrum" || word == "history";
     if (of_time && !time_passes) node.complain("another measure: no time passes in operator cases");
+    bool const is_ours_alone = word == "stability" || word == "stable-step" || word == "spectrum" || word == "second-law" ||
+                               word == "history" || word == "energy-routes";
+    if (is_ours_alone && asked.study.codes.size() == asked.study.formulations.size())
+      node.complain("another measure: this one is of formulations of ours, and every one here is another code");
   }
   if (auto const repeat = asked.document.find("repeat");
       repeat && asked.study.repeat.most > 1 && !asked.study.measure.contains(Measure::cost))

@@ -817,6 +817,13 @@ class External(Codes):
         self.assertEqual(len(document["runs"]), 1)
         self.assertIn("operator", document["skipped"][0]["case"])
 
+    def test_measures_that_no_code_has_are_refused_where_there_is_nothing_else(self):
+        for measure in ("stability", "stable-step", "spectrum", "second-law", "history"):
+            study = small_study(cases=[SLAB], formulations=[self.heat], resolution=[8], measure=["error", measure])
+            done = self.run_program("study", self.write("study.json", study), "-o", "none.json")
+            self.assert_user_error(done, "measure[1]", measure, "another code")
+        self.run_study(["conduction/brookshaw", self.heat], resolution=[8], measure=["error", "stability"])
+
     def test_bad_codes_are_refused(self):
         for formulation, words in (
             ("external/fd", ["command"]),

@@ -151,8 +151,8 @@ RunRecord assess_run(Whole const& whole, std::vector<NamedSnapshot const*> const
   std::vector<Snapshot> history;
   for (auto& [snapshot, entry] : read) history.push_back(std::move(snapshot));
   AnyProblem const problem = whole.chosen.scene_case->problem(whole.chosen.parameters);
-  AssessedCase const one{whole.chosen.scene_case, whole.chosen.parameters, problem,
-                         record.discretisation,   judged.resolution,       whole.discretisation.smoothing_ratio};
+  AssessedCase const one{whole.chosen.scene_case, problem, record.discretisation, judged.resolution,
+                         whole.discretisation.smoothing_ratio};
   assess_snapshots(one, std::move(history), whole.options, whole.measure, record);
   if (judged.seconds) {
     Cost& cost = record.cost.emplace();

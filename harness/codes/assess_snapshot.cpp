@@ -78,7 +78,7 @@ class Assessment {
     require_sense(last);
     Particles<Dim> const particles = particles_of(last);
     measure(particles, last);
-    if (measure_.contains(Measure::conservation))
+    if (measure_.contains(Measure::conservation) || measure_.contains(Measure::history))
       measure_code_budgets(problem_, case_.scene_case->info.kind, history, measure_.contains(Measure::history), record_);
   }
 

@@ -12,8 +12,7 @@ namespace sphverify {
 /// What a code's particles are held against.
 struct AssessedCase {
   Case const* scene_case;
-  Parameters parameters;     ///< with the final time that the study or document says
-  AnyProblem problem;        ///< of these parameters
+  AnyProblem problem;  ///< with the final time that the study or document says
   Discretisation discretisation;
   int resolution;
   double smoothing_ratio;  ///< nominal h/dx, where snapshots have no h

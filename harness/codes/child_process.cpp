@@ -81,6 +81,9 @@ pid_t parent_of(pid_t pid) {
 /// is an orphan of one of them, even if it has given up its group and its environment.
 class Commands {
  public:
+  /// Children that we have had from the start, of a shell that became this program, are nobody's orphans.
+  Commands() : before_(children()) {}
+
   std::mutex& mutex() { return mutex_; }
   void add(pid_t pid) { running_.insert(pid); }
 
@@ -89,7 +92,8 @@ class Commands {
     running_.erase(pid);
     if (!running_.empty()) return;
     for (int round = 0; round < most_rounds; ++round) {
-      auto const orphans = processes([](pid_t one) { return parent_of(one) == getpid(); });
+      std::vector<pid_t> orphans = children();
+      std::erase_if(orphans, [&](pid_t one) { return std::find(before_.begin(), before_.end(), one) != before_.end(); });
       if (orphans.empty()) return;
       for (pid_t const orphan : orphans) {
         kill(orphan, SIGKILL);
@@ -99,7 +103,12 @@ class Commands {
   }
 
  private:
+  static std::vector<pid_t> children() {
+    return processes([](pid_t one) { return parent_of(one) == getpid(); });
+  }
+
   static constexpr int most_rounds = 100;
+  std::vector<pid_t> before_;
   std::mutex mutex_;
   std::set<pid_t> running_;
 };
@@ -211,6 +220,7 @@ ChildOutcome run_child(ChildCommand const& command) {
     struct sigaction usual {};
     usual.sa_handler = SIG_DFL;
     sigaction(SIGCHLD, &usual, nullptr);
+    commands();  // notes whose children there are
     prctl(PR_SET_CHILD_SUBREAPER, 1);
   });
   std::string const mark = new_mark();
@@ -221,7 +231,12 @@ ChildOutcome run_child(ChildCommand const& command) {
   int failure[2];
   if (pipe2(failure, O_CLOEXEC) != 0) throw std::runtime_error("no pipe can be made");
   int const output = open(command.output.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0600);
-  if (output < 0) throw std::runtime_error(fmt::format("{}: {}", command.output, std::strerror(errno)));
+  if (output < 0) {
+    std::string const why = std::strerror(errno);
+    close(failure[0]);
+    close(failure[1]);
+    throw std::runtime_error(fmt::format("{}: {}", command.output, why));
+  }
 
   Clock const clock;
   pid_t const parent = getpid();

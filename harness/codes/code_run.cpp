@@ -221,8 +221,7 @@ void run_code(AnyProblem const& problem, RunSpec const& spec, RunOptions const& 
   try {
     Snapshot last = read_snapshot({start.final_file()}, spec.code->options);
     last.file = "{final}";
-    AssessedCase const one{spec.scene_case,          spec.parameters, problem,
-                           spec.discretisation, spec.resolution, spec.smoothing_ratio};
+    AssessedCase const one{spec.scene_case, problem, spec.discretisation, spec.resolution, spec.smoothing_ratio};
     assess_snapshots(one, {start.initial(), std::move(last)}, spec.code->options, options.measure, record);
   } catch (UserError const& error) {
     std::string why = error.what();

@@ -191,10 +191,10 @@ void derive(Snapshot& snapshot, char const* column, std::vector<std::string> con
 template <int Dim>
 void derive_missing(Snapshot& snapshot, SnapshotOptions const& options, double gamma) {
   auto const at = [&](char const* column, std::size_t i) { return snapshot.columns.at(column)[i]; };
-  if (options.density_from_h) {
+  if (options.density_from_h && !snapshot.has("rho")) {
     derive(snapshot, "rho", {"m", "h"}, "from m and h",
            [&](std::size_t i) { return at("m", i) * std::pow(*options.density_from_h / at("h", i), Dim); });
-    if (auto const known = snapshot.rounding.find("h"); known != snapshot.rounding.end())
+    if (auto const known = snapshot.rounding.find("h"); known != snapshot.rounding.end() && snapshot.has("rho"))
       snapshot.rounding["rho"] += (Dim - 1) * known->second;
   }
   if (gamma <= 0.0) return;

@@ -235,6 +235,9 @@ State<Dim> read_state(Node const& document) {
   bool const places_in_file = snapshot && !node.find("position");
   std::size_t const count = places_in_file ? snapshot->size() : node.at("position").elements().size();
   if (count == 0) node.at("position").complain("at least one particle");
+  if (snapshot && snapshot->size() != count)
+    throw UserError(snapshot->file, "", fmt::format("{} particles", snapshot->size()),
+                    fmt::format("{}, as many as {} lists", count, node.at("position").key()));
   auto const length = node.find("smoothing_length");
   double const common =
       length && !length->is_array() ? length->number_between(1.0 / farthest_position, farthest_position) : 1.0;

@@ -138,7 +138,7 @@ void require_measures(Asked const& asked) {
         word == "stability" || word == "stable-step" || word == "spectrum" || word == "history";
     if (of_time && !time_passes) node.complain("another measure: no time passes in operator cases");
     bool const is_ours_alone = word == "stability" || word == "stable-step" || word == "spectrum" || word == "second-law" ||
-                               word == "history" || word == "energy-routes";
+                               word == "energy-routes";
     if (is_ours_alone && asked.study.codes.size() == asked.study.formulations.size())
       node.complain("another measure: this one is of formulations of ours, and every one here is another code");
   }

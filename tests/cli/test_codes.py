@@ -748,6 +748,16 @@ class External(Codes):
         self.run_study([code], resolution=[8])
         self.assertNotIn(mark, subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True, check=True).stdout)
 
+    def test_children_of_a_shell_that_became_the_harness_are_left_alone(self):
+        code = self.code("ends", "/bin/true", "{initial}", "{final}")
+        study = self.write("study.json", small_study(cases=[SLAB], formulations=[code], resolution=[8], measure=["error"]))
+        mark = f"93{os.getpid() % 1000:03d}"
+        words = f"sleep {mark} & exec '{PROGRAM}' study '{study}' -o '{self.folder}/results.json'"
+        subprocess.run(["/bin/sh", "-c", words], check=True, stderr=subprocess.DEVNULL, stdout=subprocess.DEVNULL)
+        listed = subprocess.run(["pgrep", "-f", f"^sleep {mark}"], capture_output=True, text=True, check=False).stdout.split()
+        self.assertEqual(len(listed), 1)
+        os.kill(int(listed[0]), signal.SIGKILL)
+
     def test_a_terminal_that_goes_takes_the_codes_with_it(self):
         mark = f"sleep 95{os.getpid() % 1000:03d}"
         code = self.code("waits", "/bin/sh", "-c", f"touch {self.folder}/there; {mark}", "{initial}", "{final}")
@@ -818,11 +828,13 @@ class External(Codes):
         self.assertIn("operator", document["skipped"][0]["case"])
 
     def test_measures_that_no_code_has_are_refused_where_there_is_nothing_else(self):
-        for measure in ("stability", "stable-step", "spectrum", "second-law", "history"):
+        for measure in ("stability", "stable-step", "spectrum", "second-law"):
             study = small_study(cases=[SLAB], formulations=[self.heat], resolution=[8], measure=["error", measure])
             done = self.run_program("study", self.write("study.json", study), "-o", "none.json")
             self.assert_user_error(done, "measure[1]", measure, "another code")
         self.run_study(["conduction/brookshaw", self.heat], resolution=[8], measure=["error", "stability"])
+        (run,) = self.run_study([self.heat], resolution=[8], measure=["error", "history"])["runs"]
+        self.assertEqual(run["history"]["time"], [0, 0.01])
 
     def test_bad_codes_are_refused(self):
         for formulation, words in (

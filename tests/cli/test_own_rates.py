@@ -144,6 +144,9 @@ class OwnRates(ProgramTest):
         # What the document gives goes before the file.
         state = self.state({"file": "particles.csv", "smoothing_length": 0.05})
         self.assertEqual(self.against(state, self.sums()).returncode, GATE_FAILED)
+        for positions in ([[x] for x in self.x[:-1]], [[x] for x in self.x] + [[1.5]]):
+            done = self.run_program("evaluate", self.state({"file": "particles.csv", "position": positions}))
+            self.assert_user_error(done, "particles.csv", "30 particles", str(len(positions)))
         plain = strict_json(self.succeed("evaluate", self.state({"file": "particles.csv", "density": "summation"})))
         listed = {"position": [[x] for x in self.x], "mass": self.m, "density": "summation", "smoothing_length": self.h}
         self.assertEqual(plain["density"], strict_json(self.succeed("evaluate", self.state(listed)))["density"])

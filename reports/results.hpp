@@ -27,6 +27,7 @@ struct LayoutChoice {
   std::string id;          ///< lattice, jittered, glass, ...
   double amplitude = 0.0;  ///< of the displacement; of clumped the separation, of touching the gap; [dx]
   std::uint64_t seed = 0;  ///< of a layout that is drawn by lot
+  bool voronoi_masses = false;  ///< masses are density times the Voronoi cells' volumes, not the layout's own
   bool operator==(LayoutChoice const&) const = default;
 };
 
@@ -47,6 +48,7 @@ struct Discretisation {
   std::string smoothing = "uniform";  ///< one smoothing length for all, or `adaptive`: from the density
   std::string wall_motion = "velocity";
   ViscosityChoice viscosity;
+  std::string pair_weight = "kernel";
   bool operator==(Discretisation const&) const = default;
 };
 

@@ -13,7 +13,8 @@ enum class DensityRule {
   given,       ///< set by the case at the particle's position
   summation,   ///< sum_j m_j W_ij with j = i: halves at a wall (Campbell 1989, Eq. 5)
   normalised,  ///< summation / Gamma_i, the part of the kernel inside the fluid
-  continuity   ///< integrated in time from the continuity equation (formulations/density/continuity.hpp)
+  continuity,  ///< integrated in time from the continuity equation (formulations/density/continuity.hpp)
+  voronoi      ///< m_i over the volume of the particle's Voronoi cell (formulations/cells/voronoi_cells.hpp)
 };
 
 /// sum_j m_j W_ij, the particle itself included (Campbell 1989, Eq. 4).  [kg/m^Dim]

@@ -39,6 +39,10 @@ class CellGrid {
   std::size_t cells() const { return first_.size() - 1; }
   /// Where a cell's particles begin in `particles()`; one more than the last cell gives their end.
   std::uint32_t first_in_cell(std::size_t cell) const { return first_[cell]; }
+  /// Along the box's axis k: how many cells, how long each, and where the first begins.
+  long cells_along(int k) const { return cell_count_[static_cast<std::size_t>(k)]; }
+  double cell_size(int k) const { return cell_size_[k]; }
+  double origin(int k) const { return origin_[k]; }
   /// Particles sorted by cell.
   std::vector<std::uint32_t> const& particles() const { return particles_; }
 

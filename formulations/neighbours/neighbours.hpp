@@ -11,10 +11,12 @@
 namespace sphverify {
 
 /// Directed neighbour pairs in compressed rows: row i lists every j != i that is closer to i than some reach,
-/// cell by cell as the grid that found them has them.
+/// cell by cell as the grid that found them has them. Where pair weights are not the kernel's, row i lists those that
+/// have one instead, with what stands for W'(r)/r between them.
 struct NeighbourList {
   std::vector<std::size_t> first;       ///< rows + 1 offsets into `neighbour`
   LargeArray<std::uint32_t> neighbour;  ///< one entry per directed pair
+  LargeArray<double> slope{};           ///< of each, in place of W'(r)/r [m^-(Dim+2)]; empty: the kernel's
 
   std::size_t rows() const { return first.size() - 1; }
   std::size_t pairs() const { return neighbour.size(); }
@@ -22,7 +24,8 @@ struct NeighbourList {
     return {neighbour.data() + first[i], first[i + 1] - first[i]};
   }
   std::size_t bytes() const {
-    return first.capacity() * sizeof(std::size_t) + neighbour.capacity() * sizeof(std::uint32_t);
+    return first.capacity() * sizeof(std::size_t) + neighbour.capacity() * sizeof(std::uint32_t) +
+           slope.capacity() * sizeof(double);
   }
 };
 

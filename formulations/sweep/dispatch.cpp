@@ -5,6 +5,7 @@
 #include "formulations/all.hpp"
 #include "formulations/basics/expects.hpp"
 #include "formulations/kernels/all.hpp"
+#include "formulations/sweep/stored_slope.hpp"
 
 namespace sphverify {
 
@@ -12,7 +13,7 @@ namespace {
 
 template <template <int> class... Kernels>
 std::vector<KernelLoops> loops_of_all(KernelPack<Kernels...>) {
-  return {loops_of_kernel<Kernels, AllSchemes>()...};
+  return {loops_of_kernel<Kernels, AllSchemes>()..., loops_of_kernel<StoredSlope, AllSchemes>()};
 }
 
 std::vector<KernelLoops>& all_loops() {

@@ -8,7 +8,7 @@
 
 namespace sphverify {
 
-/// The loops over pairs of a kernel for this processor. Expects the identifier of a kernel that there is.
+/// The loops over pairs of a kernel for this processor. Expects the identifier of a kernel that there is, or of StoredSlope.
 template <int Dim>
 SweepKernels const& sweep_kernels(std::string_view kernel);
 

@@ -75,14 +75,15 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
   constexpr std::size_t stride = slots.stride();
   double const h = plan.h;
   double const per_h = 1.0 / h;
-  Pack const scale = Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(per_h));
+  Pack scale = 1.0;
+  if constexpr (!is_stored<Kernel>) scale = Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(per_h));
   double const* const records = plan.records;
   for (std::size_t i = begin; i < end; ++i) {
     TermList<Dim, Terms...> terms(plan.terms);
     double const* const own = records + i * stride;
     for_each_four(
         plan.neighbour + plan.first[i], plan.first[i + 1] - plan.first[i],
-        [&](std::uint32_t const* four, std::size_t, std::size_t idle) SPHVERIFY_FORCE_INLINE {
+        [&](std::uint32_t const* four, [[maybe_unused]] std::size_t k, std::size_t idle) SPHVERIFY_FORCE_INLINE {
           double const* const a = records + four[0] * stride;
           double const* const b = records + four[1] * stride;
           double const* const c = records + four[2] * stride;
@@ -103,7 +104,9 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
             Pack const q = W.length * Pack(per_h);
             Pack const divisor = TermList<Dim, Terms...>::divisor(slots, ReadOwn{own}, ReadRegisters{columns}, W);
             Pack const quotient = Pack(1.0) / (q * divisor);
-            if constexpr (requires { Kernel::slope_shape(q, q); }) {
+            if constexpr (is_stored<Kernel>) {
+              W.slope = load_stored(plan.slope + plan.first[i] + k, idle);
+            } else if constexpr (requires { Kernel::slope_shape(q, q); }) {
               W.slope = scale * Kernel::slope_shape(q, quotient * divisor);
             } else {
               W.slope = scale * Kernel::slope_shape(q);

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <limits>
+
+#include "formulations/sweep/stored_slope.hpp"
 #include "formulations/sweep/views.hpp"
 
 // How the general loop reads the particles of a row: it copies their records side by side.
@@ -73,6 +76,17 @@ SPHVERIFY_INLINE void for_each_four(std::uint32_t const* list, std::size_t count
   block(rest, whole, Pack::size - (count - whole));
 }
 
+/// Stored numbers of up to four neighbours, wherever they lie, with 0 in lanes that hold none.
+SPHVERIFY_INLINE Pack load_stored(double const* numbers, std::size_t idle) {
+  Pack stored = 0.0;
+  if (idle == 0) {
+    __builtin_memcpy(&stored.lanes, numbers, sizeof stored.lanes);
+  } else {
+    for (std::size_t l = 0; l < Pack::size - idle; ++l) stored.lanes[l] = numbers[l];
+  }
+  return stored;
+}
+
 /// Copies the records of a row's neighbours side by side, with their distances and kernel slopes.
 /// @tparam own_lengths whether every particle has its own smoothing length
 /// @tparam groups doubles per record over four, or 0 to take the plan's
@@ -87,7 +101,7 @@ class Gatherer {
         value_(radial_ + part_size),
         h_(plan.h),
         per_h_(1.0 / plan.h),
-        scale_((Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(1.0 / plan.h))).lanes[0]),
+        scale_(scale(plan.h)),
         wants_separation_(plan.wants_separation),
         wants_radial_(plan.wants_radial),
         wants_value_(plan.wants_value) {}
@@ -95,6 +109,7 @@ class Gatherer {
   /// @param list particle i's neighbours, or at most part_size of them
   SPHVERIFY_INLINE Row gather(std::size_t i, std::uint32_t const* list, std::size_t count) {
     double const* const own = plan_.records + i * stride();
+    if constexpr (is_stored<Kernel>) slope_ = plan_.slope + (list - plan_.neighbour);
     for_each_four(
         list, count,
         [&](std::uint32_t const* four, std::size_t k, std::size_t idle)
@@ -105,6 +120,13 @@ class Gatherer {
   }
 
  private:
+  static double scale(double h) {
+    if constexpr (is_stored<Kernel>) {
+      return 1.0;
+    } else {
+      return (Pack(Kernel::sigma) * integer_power<Dim + 2>(Pack(1.0 / h))).lanes[0];
+    }
+  }
   SPHVERIFY_INLINE std::size_t stride() const { return groups > 0 ? groups * Pack::size : plan_.stride; }
 
   /// @param idle how many lanes at the end hold no neighbour
@@ -136,6 +158,16 @@ class Gatherer {
     }
     Pack const r = sqrt(mask_idle<Kernel>(separation.squaredNorm(), idle, h));
     r.store(distance_ + k);
+    if constexpr (is_stored<Kernel>) {
+      if (wants_value_) Pack(std::numeric_limits<double>::quiet_NaN()).store(value_ + k);
+      load_stored(slope_ + k, idle).store(radial_ + k);
+      return;
+    } else {
+      add_kernel(r, per_h, k);
+    }
+  }
+
+  SPHVERIFY_INLINE void add_kernel(Pack r, Pack per_h, std::size_t k) {
     if (wants_value_)
       (Pack(Kernel::sigma) * integer_power<Dim>(per_h) * Kernel::shape(r * per_h)).store(value_ + k);
     if (!wants_radial_) return;
@@ -149,6 +181,7 @@ class Gatherer {
   double* distance_;
   double* radial_;
   double* value_;
+  double const* slope_ = nullptr;  ///< of the row, where it is stored
   double h_, per_h_, scale_;
   bool wants_separation_, wants_radial_, wants_value_;
 };

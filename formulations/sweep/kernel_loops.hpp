@@ -25,11 +25,21 @@ constexpr std::array<FusedSweep, 4> fused_gas() {
 }
 
 template <int Dim, class Kernel, class... Schemes>
-constexpr auto all_fused(std::tuple<Schemes...> const*) {
+constexpr auto all_fused_of_kernel() {
   return joined(fused_passes<Dim, Kernel, Schemes>()...,
                 std::array{fused<Dim, Kernel, DensityTerm<Dim, Kernel>>(), fused<Dim, Kernel, ApproachTerm<Dim, Kernel>>()},
                 fused_gas<Dim, Kernel, PressureOverDensitySquared, InternalEnergyWork>(),
                 fused_gas<Dim, Kernel, SquareRootOfPressure, SquareRootOfPressureWork>());
+}
+
+/// Stored slopes are of particles that mostly stand still: their forms are fused one by one.
+template <int Dim, class Kernel, class... Schemes>
+constexpr auto all_fused(std::tuple<Schemes...> const*) {
+  if constexpr (is_stored<Kernel>) {
+    return joined(fused_passes<Dim, Kernel, Schemes>()...);
+  } else {
+    return all_fused_of_kernel<Dim, Kernel, Schemes...>();
+  }
 }
 
 template <int Dim, class Kernel, class Schemes>
@@ -39,6 +49,16 @@ std::span<FusedSweep const> special_loops() {
     return all;
   } else {
     return {};
+  }
+}
+
+/// A term that is the kernel's own. Beside stored slopes those of the particles' kernel serve: they end at its support.
+template <class Term, class Kernel, int Dim>
+constexpr RowFunction own_row() {
+  if constexpr (is_stored<Kernel>) {
+    return nullptr;
+  } else {
+    return sum_row<Term, Dim>;
   }
 }
 
@@ -53,9 +73,9 @@ SweepKernels const& loops() {
   static SweepKernels const all{.instruction_set = SPHVERIFY_NAME_OF(SPHVERIFY_INSTRUCTION_SET),
                                 .rows = rows<Dim, K>,
                                 .fused = special_loops<Dim, K, Schemes>(),
-                                .density = sum_row<DensityTerm<Dim, K>, Dim>,
-                                .viscosity = sum_row<ViscosityTerm<Dim, K>, Dim>,
-                                .approach = sum_row<ApproachTerm<Dim, K>, Dim>,
+                                .density = own_row<DensityTerm<Dim, K>, K, Dim>(),
+                                .viscosity = own_row<ViscosityTerm<Dim, K>, K, Dim>(),
+                                .approach = own_row<ApproachTerm<Dim, K>, K, Dim>(),
                                 .conductances = conductances<Dim, K>,
                                 .conduct = conduct};
   return all;

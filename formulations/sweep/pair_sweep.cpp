@@ -5,6 +5,7 @@
 
 #include "formulations/basics/expects.hpp"
 #include "formulations/basics/parallel.hpp"
+#include "formulations/sweep/stored_slope.hpp"
 
 namespace sphverify {
 
@@ -170,6 +171,7 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .slots = records.slots,
                  .first = neighbours_.first.data(),
                  .neighbour = neighbours_.neighbour.data(),
+                 .slope = neighbours_.slope.empty() ? nullptr : neighbours_.slope.data(),
                  .h = particles.smoothing_length(),
                  .wrapping = Wrapping::none,
                  .period = {},
@@ -190,12 +192,19 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
   return plan;
 }
 
+/// By whose name the loops go: the kernel's, or that of stored slopes.
+template <int Dim>
+std::string_view PairSweep<Dim>::loops_of(Particles<Dim> const& particles) const {
+  return neighbours_.slope.empty() ? particles.kernel().id() : StoredSlope<Dim>::id;
+}
+
 template <int Dim>
 void PairSweep<Dim>::run(Particles<Dim> const& particles, VectorField<Dim> const* state_velocity) {
   Records const records(reads_, particles, state_velocity, threads_);
   SweepPlan const sweep = plan(particles, records);
-  SweepKernels const& kernels = sweep_kernels<Dim>(particles.kernel().id());
-  FusedSweep const* const made_for_this = fused(sweep, particles.kernel().id(), kernels);
+  std::string_view const kernel = loops_of(particles);
+  SweepKernels const& kernels = sweep_kernels<Dim>(kernel);
+  FusedSweep const* const made_for_this = fused(sweep, kernel, kernels);
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
     if (made_for_this) return made_for_this->rows(sweep, begin, end);
     double* const scratch = row_space.of(scratch_size(sweep.stride));
@@ -210,7 +219,7 @@ std::vector<double> PairSweep<Dim>::conductances(void (*of_row)(Row const&, doub
   wants_radial_ = wants_separation_ = wants_value_ = true;  // once a scene
   Records const records(reads, particles, nullptr, threads_);
   SweepPlan const sweep = plan(particles, records);
-  SweepKernels const& kernels = sweep_kernels<Dim>(particles.kernel().id());
+  SweepKernels const& kernels = sweep_kernels<Dim>(loops_of(particles));
   std::vector<double> all(neighbours_.pairs());
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
     double* const scratch = row_space.of(scratch_size(sweep.stride));

@@ -42,6 +42,7 @@ class PairSweep {
  private:
   struct Records;
 
+  std::string_view loops_of(Particles<Dim> const& particles) const;
   FusedSweep const* fused(SweepPlan const& plan, std::string_view kernel, SweepKernels const& kernels) const;
   SweepPlan plan(Particles<Dim> const& particles, Records const& records) const;
 

@@ -102,7 +102,8 @@ struct SweepPlan {
   RecordSlots slots;
   std::size_t const* first;
   std::uint32_t const* neighbour;
-  double h;  ///< the common smoothing length, where slots.h < 0
+  double const* slope;  ///< NeighbourList::slope; null where the kernel gives it
+  double h;             ///< the common smoothing length, where slots.h < 0
   Wrapping wrapping;
   std::array<double, 3> period;          ///< 0 along axes that are not periodic
   std::array<double, 3> inverse_period;  ///< likewise

@@ -31,6 +31,11 @@ bool Wall<Dim>::prescribes(BoundaryValue value) const {
 }
 
 template <int Dim>
+bool Wall<Dim>::prescribes_flux_only() const {
+  return prescribes(BoundaryValue::flux) && !prescribes(BoundaryValue::temperature);
+}
+
+template <int Dim>
 std::size_t WallContacts<Dim>::bytes() const {
   std::size_t const doubles = distance.capacity() + face_weight.capacity() + foot_density.capacity() +
                               pressure.capacity() + temperature.capacity() + conductivity.capacity() +
@@ -65,26 +70,8 @@ double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vec
   return sum;
 }
 
-namespace {
-
-/// -n . sum_j (m_j/rho_j) grad_i W_ij: the face weight that makes a uniform state feel no force along n.
 template <int Dim>
-double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal,
-                            SmoothingLength const& h, std::vector<double> const& mass,
-                            std::vector<double> const& density) {
-  double sum = 0.0;
-  grid.for_each_within_reach(
-      grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
-        if (j == i) return;
-        sum -= mass[j] / density[j] * h.kernel().radial(distance, h(i, j)) * separation.dot(normal);
-      });
-  return sum;
-}
-
-/// Adds those that a foot point interpolates from, and their kernels, to the last contact's.
-/// @return foot_density() there; where it is 0 nothing is added
-template <int Dim>
-double add_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid, Vector<Dim> const& foot,
+double add_foot_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid, Vector<Dim> const& foot,
                          std::vector<Wall<Dim>> const& walls, double h, std::vector<double> const& mass,
                          Kernel const& kernel) {
   double const factor = wall_interpolation_factor(foot, walls, h, kernel);
@@ -101,6 +88,22 @@ double add_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid,
     contacts.interpolation_neighbour.resize(before);
     contacts.interpolation_kernel.resize(before);
   }
+  return sum;
+}
+
+namespace {
+
+/// -n . sum_j (m_j/rho_j) grad_i W_ij: the face weight that makes a uniform state feel no force along n.
+template <int Dim>
+double balanced_face_weight(CellGrid<Dim> const& grid, std::size_t i, Vector<Dim> const& normal,
+                            SmoothingLength const& h, std::vector<double> const& mass,
+                            std::vector<double> const& density) {
+  double sum = 0.0;
+  grid.for_each_within_reach(
+      grid.positions()[i], [&](std::uint32_t j, Vector<Dim> const& separation, double distance) {
+        if (j == i) return;
+        sum -= mass[j] / density[j] * h.kernel().radial(distance, h(i, j)) * separation.dot(normal);
+      });
   return sum;
 }
 
@@ -127,8 +130,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
   std::vector<Vector<Dim>> feet;
   contacts.interpolation_first.push_back(0);
   contacts.outward_normal = wall.outward_normal;
-  contacts.prescribes_flux_only =
-      wall.prescribes(BoundaryValue::flux) && !wall.prescribes(BoundaryValue::temperature);
+  contacts.prescribes_flux_only = wall.prescribes_flux_only();
 
   for (std::size_t i = 0; i < positions.size(); ++i) {
     double const d = wall.distance(positions[i]);
@@ -144,7 +146,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
     if (!foot) continue;
     bool const is_plane_s_own = *foot == wall.foot(positions[i]);  // else it may be out of reach
     if (!is_plane_s_own && (*foot - positions[i]).norm() >= reach) continue;
-    double const at_foot = add_interpolation(contacts, grid, *foot, all_walls, h, mass, kernel);
+    double const at_foot = add_foot_interpolation(contacts, grid, *foot, all_walls, h, mass, kernel);
     if (at_foot <= 0.0) continue;  // alone, and at reach but for round-off
     contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
     contacts.foot_density.push_back(at_foot);
@@ -382,6 +384,9 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
   template double face_weight<Dim>(double, double, FaceWeight, Kernel const&);                          \
   template double foot_density(CellGrid<Dim> const&, Vector<Dim> const&, std::vector<Wall<Dim>> const&, \
                                double, std::vector<double> const&, Kernel const&);                      \
+  template double add_foot_interpolation(WallContacts<Dim>&, CellGrid<Dim> const&, Vector<Dim> const&,  \
+                                         std::vector<Wall<Dim>> const&, double,                         \
+                                         std::vector<double> const&, Kernel const&);                    \
   template WallContacts<Dim> find_wall_contacts(                                                        \
       CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&,    \
       std::vector<double> const&, std::vector<double> const&, FaceWeight);                              \

@@ -78,6 +78,7 @@ struct Wall {
   Vector<Dim> foot(Vector<Dim> const& x) const { return x + distance(x) * outward_normal; }
   /// A heat loss counts as flux.
   bool prescribes(BoundaryValue value) const;
+  bool prescribes_flux_only() const;  ///< and no temperature
 };
 
 /// The particles within the kernel's support of one wall's face, with what depends on geometry alone, and
@@ -127,6 +128,13 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
 template <int Dim>
 double foot_density(CellGrid<Dim> const& grid, Vector<Dim> const& foot, std::vector<Wall<Dim>> const& walls,
                     double smoothing_length, std::vector<double> const& mass, Kernel const& kernel);
+
+/// Adds those that a foot point interpolates from, and their kernels, to the last contact's.
+/// @return foot_density() there; where it is 0 nothing is added
+template <int Dim>
+double add_foot_interpolation(WallContacts<Dim>& contacts, CellGrid<Dim> const& grid, Vector<Dim> const& foot,
+                              std::vector<Wall<Dim>> const& walls, double smoothing_length, std::vector<double> const& mass,
+                              Kernel const& kernel);
 
 /// Face weight of one particle at distance d >= 0 from a plane that nothing cuts within the support, by a
 /// rule that needs the distance only (campbell, exact).  [1/m]

@@ -13,6 +13,9 @@ namespace sphverify {
 
 namespace {
 
+/// Of every layout but equal masses.
+char const* const masses_parameter = "masses [layout]: or voronoi, density times the volume of the particle's Voronoi cell";
+
 Json field_names(FieldSet fields) {
   Json names = Json::array();
   for (FieldInfo const& field : field_infos) {
@@ -95,25 +98,25 @@ void add_words(std::vector<CatalogueEntry>& all) {
                        {"equation",
                         "mass = density at the centre times cell volume; of a cell that a jump of the "
                         "initial state cuts mass, momentum and energy are its integrals over the cell"},
-                       {"parameters", Json::array()}};
+                       {"parameters", Json::array({masses_parameter})}};
                  }});
   all.push_back({"layouts", "jittered", "Lattice with every coordinate displaced at random", "", [] {
                    return Json{
                        {"equation",
                         "displacement uniform in +-amplitude dx per axis; mass = density times "
                         "Voronoi volume in 1D, cell volume otherwise; cells that a jump cuts as of lattice"},
-                       {"parameters", Json::array({"amplitude, in dx, below 0.5",
+                       {"parameters", Json::array({"amplitude, in dx, below 0.5", masses_parameter,
                                                    "seed, or a list of seeds: replicates of each level"})}};
                  }});
   all.push_back(
       {"layouts", "clumped", "Lattice with neighbours moved together in pairs", "", [] {
          return Json{{"equation", "along the first axis, about the middle of each pair; mass as of jittered"},
-                     {"parameters", Json::array({"separation [0.1]: of a pair, in dx, up to 1"})}};
+                     {"parameters", Json::array({"separation [0.1]: of a pair, in dx, up to 1", masses_parameter})}};
        }});
   all.push_back(
       {"layouts", "touching", "Lattice whose first particles all but touch the lower wall", "", [] {
          return Json{{"equation", "the first particle of each row along the first axis; mass as of jittered"},
-                     {"parameters", Json::array({"gap [1e-12]: from the wall, in dx, up to 0.5"})}};
+                     {"parameters", Json::array({"gap [1e-12]: from the wall, in dx, up to 0.5", masses_parameter})}};
        }});
   all.push_back(
       {"layouts", "equal-mass", "Particles of equal mass, in one dimension", "", [] {
@@ -128,20 +131,20 @@ void add_words(std::vector<CatalogueEntry>& all) {
                        {"equation",
                         "rows along the first axis, every second one shifted by half a spacing, stretched "
                         "to fit the box; dx is the square root of a particle's area"},
-                       {"parameters", Json::array()}};
+                       {"parameters", Json::array({masses_parameter})}};
                  }});
   all.push_back({"layouts", "close-packed", "Face-centred cubic lattice, in three dimensions", "", [] {
                    return Json{
                        {"equation",
                         "four particles to a cubic cell, stretched to fit the box; dx is the cube root of a "
                         "particle's volume"},
-                       {"parameters", Json::array()}};
+                       {"parameters", Json::array({masses_parameter})}};
                  }});
   all.push_back(
       {"layouts", "glass", "Particles relaxed by mutual repulsion, in two and three dimensions", "", [] {
          return Json{
              {"equation", "from a random start until the particles hold each other in place; equal volumes"},
-             {"parameters", Json::array({"seed, or a list of seeds: replicates of each level"})}};
+             {"parameters", Json::array({"seed, or a list of seeds: replicates of each level", masses_parameter})}};
        }});
   for (MeasureWord const& word : measure_words()) {
     all.push_back({"measures", std::string(word.word), std::string(word.title), "", [] {

@@ -214,21 +214,32 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
   try {
     CellGrid<Dim> const grid(particles.positions(), state.domain, kernel.support_ratio() * h.largest());
     geometry.domain = state.domain;
+    bool const by_kernel = state.pair_weight == PairWeight::kernel;
+    VoronoiCells<Dim> cells;
+    if (!by_kernel || state.density_rule == DensityRule::voronoi)
+      cells = find_voronoi_cells(particles.positions(), state.domain, state.walls, 1);
     geometry.neighbours = find_neighbours(grid);
     remarks = remarks_on(particles, geometry.neighbours, state.domain);
     auto& density = particles.scalar(Field::density);
-    if (state.density_rule != DensityRule::given)
+    if (state.density_rule == DensityRule::voronoi) {
+      for (std::size_t i = 0; i < density.size(); ++i) density[i] = particles.masses()[i] / cells.volume[i];
+    } else if (state.density_rule != DensityRule::given) {
       density = summation_density(grid, h, particles.masses());
+    }
     if (state.density_rule == DensityRule::normalised) {
       for (std::size_t i = 0; i < density.size(); ++i) {
         density[i] /= kernel_inside(particles.positions()[i], state.walls, h(i), kernel);
       }
     }
     geometry.walls = state.walls;
-    for (Wall<Dim> const& wall : state.walls) {
-      geometry.contacts.push_back(find_wall_contacts(grid, wall, state.walls, h, particles.masses(),
-                                                     density, state.face_weight));
-      WallContacts<Dim> const& contacts = geometry.contacts.back();
+    if (by_kernel) {
+      for (Wall<Dim> const& wall : state.walls)
+        geometry.contacts.push_back(
+            find_wall_contacts(grid, wall, state.walls, h, particles.masses(), density, state.face_weight));
+    } else {
+      weigh_by_cells(geometry, std::move(cells), grid, h, particles.masses(), density, 1);
+    }
+    for (WallContacts<Dim> const& contacts : geometry.contacts) {
       std::vector<double> at_foot(particles.size()), weight(particles.size(), 0.0);
       for (std::size_t i = 0; i < particles.size(); ++i) {
         auto const foot = nearest_on_face(particles.positions()[i], state.walls, walls.size(), h(i));

@@ -142,7 +142,7 @@ void require_room(Node const& particles, State<Dim> const& state) {
 }  // namespace
 
 void require_state_keys(Node const& document) {
-  document.require_document("sphverify-state/1", {"schema", "dimension", "kernel", "face_weight", "closure", "periodic",
+  document.require_document("sphverify-state/1", {"schema", "dimension", "kernel", "pair_weight", "face_weight", "closure", "periodic",
                                                   "particles", "walls", "gamma", "time", "precision", "viscosity"});
 }
 
@@ -247,6 +247,7 @@ State<Dim> read_state(Node const& document) {
       {Vector<Dim>::Zero(), Vector<Dim>::Zero(), {}},
       {},
       DensityRule::given,
+      PairWeight::kernel,
       FaceWeight::exact,
       Closure::interpolated};
   state.particles.set_kernel(kernel(kernel_id, Dim));
@@ -260,7 +261,7 @@ State<Dim> read_state(Node const& document) {
   if (!density && !state.particles.has(Field::density)) node.at("density");  // complains of its absence
   if (density && density->is_string()) {
     state.particles.allocate(Field::density);
-    state.density_rule = density_words.value(density->word({"summation", "normalised"}));
+    state.density_rule = density_words.value(density->word({"summation", "normalised", "voronoi"}));
   } else if (density) {
     read_field(node, info(Field::density), state.particles);
   }
@@ -275,6 +276,8 @@ State<Dim> read_state(Node const& document) {
     state.viscosity = {viscosity->at("alpha").number_between(0.0, 100.0), viscosity->at("beta").number_between(0.0, 100.0)};
     if (!gamma) document.at("gamma");  // complains of its absence: the sound speed
   }
+  if (auto const weight = document.find("pair_weight"))
+    state.pair_weight = pair_weight_words.value(weight->word(pair_weight_words.all()));
   if (auto const rule = document.find("face_weight")) {
     state.face_weight = face_weight_words.value(rule->word(face_weight_words.all()));
   }

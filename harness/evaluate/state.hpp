@@ -1,5 +1,6 @@
 #pragma once
 
+#include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/particles/particles.hpp"
 #include "formulations/viscosity/monaghan.hpp"
@@ -15,6 +16,7 @@ struct State {
   Domain<Dim> domain;  ///< the particles' bounding box, or what the state says of periodic axes
   std::vector<Wall<Dim>> walls;
   DensityRule density_rule;  ///< `given` where the state lists densities
+  PairWeight pair_weight;
   FaceWeight face_weight;
   Closure closure;
   double time = 0.0;   ///< [s]

@@ -23,7 +23,7 @@ inline WordKey const word_keys[] = {
     {"kernel", &Discretisation::kernel},           {"density", &Discretisation::density},
     {"face_weight", &Discretisation::face_weight}, {"closure", &Discretisation::closure},
     {"integrator", &Discretisation::integrator},   {"smoothing", &Discretisation::smoothing},
-    {"wall_motion", &Discretisation::wall_motion}};
+    {"wall_motion", &Discretisation::wall_motion}, {"pair_weight", &Discretisation::pair_weight}};
 
 template <class T>
 bool is_one_of(T const& value, std::vector<T> const& allowed) {
@@ -45,7 +45,8 @@ inline bool holds_all(std::map<std::string, ParameterValue> const& named,
 
 inline bool matches(LayoutMatch const& match, LayoutChoice const& layout) {
   return match.id == layout.id && match.amplitude.value_or(layout.amplitude) == layout.amplitude &&
-         match.seed.value_or(layout.seed) == layout.seed;
+         match.seed.value_or(layout.seed) == layout.seed &&
+         match.voronoi_masses.value_or(layout.voronoi_masses) == layout.voronoi_masses;
 }
 
 /// One key of a selection: whether it is met, and what a run or series has there.

@@ -33,6 +33,7 @@ std::string describe_layout(LayoutChoice const& layout, bool with_seed) {
   if (layout.amplitude > 0.0) text += fmt::format(" {:g}", layout.amplitude);
   if (with_seed && (layout.id == "jittered" || layout.id == "glass"))
     text += fmt::format(" seed {}", layout.seed);
+  if (layout.voronoi_masses) text += ", Voronoi masses";
   return text;
 }
 
@@ -106,9 +107,10 @@ bool same_subject(Measured const& a, Measured const& b) {
 std::string describe(Measured const& measured) {
   auto const text = [](auto const& s, bool with_seed) {
     Discretisation const& d = s.discretisation;
-    return fmt::format("{}, {}, {}, density {}, face weight {}, closure {}, h/dx {:g}, exponent {:g}",
+    return fmt::format("{}, {}, {}, density {}, {}, closure {}, h/dx {:g}, exponent {:g}",
                        describe_parameters(s.case_id, s.parameters), s.label,
-                       describe_layout(d.layout, with_seed), d.density, d.face_weight, d.closure,
+                       describe_layout(d.layout, with_seed), d.density,
+                       d.pair_weight == "kernel" ? "face weight " + d.face_weight : "pair weight " + d.pair_weight, d.closure,
                        d.smoothing_ratio, s.smoothing_exponent);
   };
   if (measured.run == nullptr) return text(*measured.series, false);

@@ -44,6 +44,7 @@ struct LayoutMatch {
   std::string id;
   Number amplitude;
   std::optional<std::uint64_t> seed;
+  std::optional<bool> voronoi_masses{};
 };
 
 /// Which runs and series a gate is about. A list holds alternatives, an empty one matches all.

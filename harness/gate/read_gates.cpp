@@ -104,10 +104,11 @@ std::uint64_t read_seed(Node const& node) {
 
 LayoutMatch read_layout(Node const& node) {
   if (node.is_string()) return {node.string(), {}, {}};
-  node.require_keys({"id", "amplitude", "seed"});
+  node.require_keys({"id", "amplitude", "seed", "masses"});
   LayoutMatch match{node.at("id").string(), {}, {}};
   if (auto const amplitude = node.find("amplitude")) match.amplitude = amplitude->number();
   if (auto const seed = node.find("seed")) match.seed = read_seed(*seed);
+  if (auto const masses = node.find("masses")) match.voronoi_masses = masses->word({"layout", "voronoi"}) == "voronoi";
   return match;
 }
 

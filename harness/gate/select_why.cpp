@@ -153,6 +153,7 @@ std::string text_of(LayoutMatch const& match) {
   std::string text = match.id;
   if (match.amplitude) text += fmt::format(" {:g}", *match.amplitude);
   if (match.seed) text += fmt::format(" seed {}", *match.seed);
+  if (match.voronoi_masses) text += *match.voronoi_masses ? ", Voronoi masses" : ", the layout's own masses";
   return text;
 }
 

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/kernels/kernel.hpp"
 #include "formulations/walls/walls.hpp"
@@ -12,10 +13,13 @@
 namespace sphverify {
 
 /// Identifiers of the choices that a discretisation offers, as written in documents.
-inline constexpr Words<DensityRule, 4> density_words{{{{"given", DensityRule::given},
+inline constexpr Words<DensityRule, 5> density_words{{{{"given", DensityRule::given},
                                                        {"summation", DensityRule::summation},
                                                        {"normalised", DensityRule::normalised},
-                                                       {"continuity", DensityRule::continuity}}}};
+                                                       {"continuity", DensityRule::continuity},
+                                                       {"voronoi", DensityRule::voronoi}}}};
+
+inline constexpr Words<PairWeight, 2> pair_weight_words{{{{"kernel", PairWeight::kernel}, {"voronoi", PairWeight::voronoi}}}};
 
 /// Kernels that documents may name.
 inline std::vector<std::string> kernel_words() {

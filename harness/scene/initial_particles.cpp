@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "formulations/basics/parallel.hpp"
+#include "formulations/cells/voronoi_cells.hpp"
 #include "harness/scene/place.hpp"
 
 namespace sphverify {
@@ -13,10 +14,25 @@ double mean_density(Problem<Dim> const& problem, CutCell<Dim> const& cell) {
   return cell.mean([&](Vector<Dim> const& x) { return density(x, 0.0); });
 }
 
+namespace {
+
+template <int Dim>
+std::vector<Wall<Dim>> walls_at_start(Problem<Dim> const& problem) {
+  std::vector<Wall<Dim>> walls = problem.walls;
+  for (Wall<Dim>& wall : walls) {
+    if (wall.path) wall.point = wall.path(0.0);
+  }
+  return walls;
+}
+
+}  // namespace
+
 template <int Dim>
 InitialParticles<Dim> initial_particles(Problem<Dim> const& problem, Discretisation const& discretisation, int resolution,
-                                        double smoothing_ratio) {
+                                        double smoothing_ratio, int threads) {
   Layout<Dim> layout = place(problem, discretisation.layout, resolution);
+  if (discretisation.layout.voronoi_masses)
+    layout.volumes = voronoi_volumes(layout.positions, problem.domain, walls_at_start(problem), threads);
   InitialParticles<Dim> start;
   start.spacing = layout.spacing;
   start.particles = Particles<Dim>(layout.volumes.size(), smoothing_ratio * layout.spacing);
@@ -86,7 +102,7 @@ void fill_conductivity(Problem<Dim> const& problem, VectorField<Dim> const& posi
 }
 
 #define SPHVERIFY_INSTANTIATE(D)                                                                                      \
-  template InitialParticles<D> initial_particles(Problem<D> const&, Discretisation const&, int, double);              \
+  template InitialParticles<D> initial_particles(Problem<D> const&, Discretisation const&, int, double, int);         \
   template double mean_density(Problem<D> const&, CutCell<D> const&);                                                 \
   template InitialGas<D> initial_gas(Problem<D> const&, Particles<D> const&, std::vector<CutCell<D>> const&);         \
   template void fill_conductivity(Problem<D> const&, VectorField<D> const&, std::vector<CutCell<D>> const&,            \

@@ -23,7 +23,7 @@ struct InitialParticles {
 /// Throws std::invalid_argument for a layout that the problem cannot have.
 template <int Dim>
 InitialParticles<Dim> initial_particles(Problem<Dim> const& problem, Discretisation const& discretisation, int resolution,
-                                        double smoothing_ratio);
+                                        double smoothing_ratio, int threads = 1);
 
 /// The exact density over a cell that a jump cuts.  [kg/m^Dim]
 template <int Dim>

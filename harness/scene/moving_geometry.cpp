@@ -59,10 +59,40 @@ std::size_t MovingGeometry<Dim>::bytes() const {
 template <int Dim>
 void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls,
                                  std::vector<Wall<Dim>> const& all_walls) {
+  auto& density = particles.scalar(Field::density);
+  VoronoiCells<Dim> cells;
+  if (!weighs_by_kernel() || choice_.density == DensityRule::voronoi) {
+    cells = find_voronoi_cells(particles.positions(), geometry_.domain, all_walls, choice_.threads);
+    ++passes_["voronoi-cells"];
+  }
+  if (choice_.density == DensityRule::voronoi) {
+    for (std::size_t i = 0; i < density.size(); ++i) density[i] = particles.masses()[i] / cells.volume[i];
+  }
   if (choice_.adaptive) {
     sums_density() ? solve_smoothing_length(particles, all_walls) : set_smoothing_length(particles);
     ++passes_["smoothing-length"];
   }
+  if (weighs_by_kernel()) {
+    follow_list(particles);
+  } else {
+    SmoothingLength const h(particles);
+    grid_.reset();
+    grid_.emplace(particles.positions(), geometry_.domain, h.kernel().support_ratio() * h.largest());
+  }
+  if (sums_density()) set_density(particles, *grid_, all_walls);
+  if (!walls.empty()) ++passes_["wall-contacts"];
+  geometry_.walls = walls;
+  if (weighs_by_kernel()) {
+    if (!walls.empty())
+      geometry_.contacts = find_contacts(*grid_, geometry_.walls, particles, choice_.face_weight, choice_.threads);
+  } else {
+    weigh_by_cells(geometry_, std::move(cells), *grid_, SmoothingLength(particles), particles.masses(), density, choice_.threads);
+  }
+}
+
+/// Keeps the list of neighbours as long as it holds all pairs.
+template <int Dim>
+void MovingGeometry<Dim>::follow_list(Particles<Dim> const& particles) {
   if (!grid_) {
     find_list(particles, 0.0);  // how fast they are is not known yet
   } else {
@@ -73,12 +103,6 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
     }
     if (used > skin_) find_list(particles, cheapest_skin(used / static_cast<double>(places_), Dim));
   }
-  if (sums_density()) set_density(particles, *grid_, all_walls);
-  if (walls.empty()) return;
-  geometry_.walls = walls;
-  geometry_.contacts =
-      find_contacts(*grid_, geometry_.walls, particles, choice_.face_weight, choice_.threads);
-  ++passes_["wall-contacts"];
 }
 
 /// By how much, in half supports, places and smoothing lengths have changed since the list was found. With
@@ -138,7 +162,7 @@ void MovingGeometry<Dim>::set_density(Particles<Dim>& particles, CellGrid<Dim> c
                                       std::vector<Wall<Dim>> const& walls) {
   SmoothingLength const h(particles);
   auto& density = particles.scalar(Field::density);
-  if (h.is_uniform()) {
+  if (h.is_uniform() && weighs_by_kernel()) {
     sum_density(particles, geometry_.neighbours, geometry_.domain, choice_.threads);
   } else {
     density = summation_density(grid, h, particles.masses());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/pair_geometry.hpp"
 
@@ -12,12 +13,13 @@ namespace sphverify {
 /// What depends on where the particles of a moving gas are: neighbours, densities that are sums, smoothing
 /// lengths that follow the density, wall contacts. Neighbours are found a little beyond the support, by as
 /// much as the particles' speed makes cheapest (list_skin.hpp), and are kept until one has moved further than
-/// that skin.
+/// that skin. Voronoi cells are found anew at every place.
 template <int Dim>
 class MovingGeometry {
  public:
   struct Choice {
     DensityRule density;
+    PairWeight pair_weight;
     FaceWeight face_weight;
     bool adaptive;           ///< every particle has its own smoothing length, h_i = ratio (m_i/rho_i)^(1/Dim)
     double smoothing_ratio;  ///< h/dx
@@ -40,8 +42,12 @@ class MovingGeometry {
   std::size_t bytes() const;
 
  private:
-  bool sums_density() const { return choice_.density != DensityRule::continuity; }
+  bool sums_density() const {
+    return choice_.density == DensityRule::summation || choice_.density == DensityRule::normalised;
+  }
+  bool weighs_by_kernel() const { return choice_.pair_weight == PairWeight::kernel; }
   double skin_used(Particles<Dim> const& particles) const;
+  void follow_list(Particles<Dim> const& particles);
   void find_list(Particles<Dim> const& particles, double skin);
   void set_density(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);
   void set_smoothing_length(Particles<Dim>& particles);

@@ -36,6 +36,7 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
       particles_(0, 1.0),
       walls_(problem_.walls),
       geometry_(problem_.domain, {.density = density_rule_,
+                                  .pair_weight = pair_weight_words.value(choice.discretisation.pair_weight),
                                   .face_weight = face_weight_words.value(choice.discretisation.face_weight),
                                   .adaptive = adaptive_,
                                   .smoothing_ratio = choice.smoothing_ratio,
@@ -56,7 +57,7 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
 template <int Dim>
 void MovingScene<Dim>::place_particles(SceneChoice const& choice) {
   InitialParticles<Dim> start =
-      initial_particles(problem_, choice.discretisation, choice.resolution, choice.smoothing_ratio);
+      initial_particles(problem_, choice.discretisation, choice.resolution, choice.smoothing_ratio, choice.threads);
   ++passes_["layout"];
   spacing_ = start.spacing;
   particles_ = std::move(start.particles);

@@ -107,6 +107,7 @@ class MovingScene {
   void load(double const* state);
   void place_walls(double time, double const* displacements);
   void require_order(double time) const;
+  double conduction_step(std::size_t i) const;
   void find_geometry(double time);
   void set_gas(double time);
   void evaluate_motion(double time, bool drifts);

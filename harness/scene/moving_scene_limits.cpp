@@ -38,10 +38,7 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
       double const mu = viscous_.largest_mu[i];
       viscosity = std::min(viscosity, h(i) / (c[i] + 0.6 * (viscosity_.alpha * c[i] + viscosity_.beta * mu)));
     }
-    if (conduction_operator_) {
-      double const K = particles_.scalar(Field::conductivity)[i];
-      conduction = std::min(conduction, 0.5 * h(i) * h(i) * particles_.scalar(Field::density)[i] / K);
-    }
+    if (conduction_operator_) conduction = std::min(conduction, conduction_step(i));
     approach = std::max(approach, rates_of_approach[i]);
   }
   for (auto const& contacts : geometry().contacts) {
@@ -60,6 +57,25 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   if (conduction_operator_) limits.push_back({"conduction", conduction});
   for (StepLimit& limit : limits) limit.step *= courant_number;
   return limits;
+}
+
+/// By the kernel's width; where pairs have weights of their own, by the sum of the particle's conductances, half of which
+/// Gershgorin's bound on the spectral radius allows.  [s]
+template <int Dim>
+double MovingScene<Dim>::conduction_step(std::size_t i) const {
+  auto const& K = particles_.scalar(Field::conductivity);
+  auto const& rho = particles_.scalar(Field::density);
+  NeighbourList const& list = geometry().neighbours;
+  if (list.slope.empty()) {
+    SmoothingLength const h(particles_);
+    return 0.5 * h(i) * h(i) * rho[i] / K[i];
+  }
+  double sum = 0.0;
+  for (std::size_t k = list.first[i]; k < list.first[i + 1]; ++k) {
+    std::size_t const j = list.neighbour[k];
+    sum -= particles_.masses()[j] * (K[i] + K[j]) / (rho[i] * rho[j]) * list.slope[k];
+  }
+  return 0.5 / sum;
 }
 
 template <int Dim>
@@ -125,6 +141,7 @@ void MovingScene<Dim>::require_order(double time) const {
 
 #define SPHVERIFY_INSTANTIATE(D)                                        \
   template std::vector<StepLimit> MovingScene<D>::step_limits() const;  \
+  template double MovingScene<D>::conduction_step(std::size_t) const;   \
   template std::string MovingScene<D>::closest_approach() const;        \
   template void MovingScene<D>::require_order(double time) const;
 SPHVERIFY_INSTANTIATE(1)

@@ -25,7 +25,7 @@ Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
 template <int Dim>
 void Scene<Dim>::place_particles(SceneChoice const& choice) {
   InitialParticles<Dim> start =
-      initial_particles(problem_, choice.discretisation, choice.resolution, choice.smoothing_ratio);
+      initial_particles(problem_, choice.discretisation, choice.resolution, choice.smoothing_ratio, choice.threads);
   ++passes_["layout"];
   spacing_ = start.spacing;
   particles_ = std::move(start.particles);
@@ -40,35 +40,58 @@ template <int Dim>
 void Scene<Dim>::find_geometry(SceneChoice const& choice) {
   SmoothingLength const h(particles_);
   CellGrid<Dim> const grid(particles_.positions(), problem_.domain, h.kernel().support_ratio() * h.largest());
-  geometry_.domain = problem_.domain;
-  geometry_.neighbours = find_neighbours(grid, threads_);
-  ++passes_["neighbour-search"];
-
-  auto& density = particles_.scalar(Field::density);
   DensityRule const rule = density_words.value(choice.discretisation.density);
+  bool const by_kernel = pair_weight_words.value(choice.discretisation.pair_weight) == PairWeight::kernel;
+  geometry_.domain = problem_.domain;
+  VoronoiCells<Dim> cells;
+  if (!by_kernel || rule == DensityRule::voronoi) {
+    cells = find_voronoi_cells(particles_.positions(), problem_.domain, problem_.walls, threads_);
+    ++passes_["voronoi-cells"];
+  }
+  if (by_kernel) {
+    geometry_.neighbours = find_neighbours(grid, threads_);
+    ++passes_["neighbour-search"];
+  }
+  set_density(rule, grid, cells.volume);
+  auto const& density = particles_.scalar(Field::density);
+  if (choice.walls && !problem_.walls.empty()) {
+    geometry_.walls = problem_.walls;
+    ++passes_["wall-contacts"];
+  }
+  if (!by_kernel) return weigh_by_cells(geometry_, std::move(cells), grid, h, particles_.masses(), density, threads_);
+  FaceWeight const face_weight = face_weight_words.value(choice.discretisation.face_weight);
+  for (Wall<Dim> const& wall : geometry_.walls)
+    geometry_.contacts.push_back(
+        find_wall_contacts(grid, wall, geometry_.walls, h, particles_.masses(), density, face_weight));
+}
+
+/// @param cells volumes of the Voronoi cells, where the rule asks for them
+template <int Dim>
+void Scene<Dim>::set_density(DensityRule rule, CellGrid<Dim> const& grid, std::vector<double> const& cells) {
+  SmoothingLength const h(particles_);
+  auto& density = particles_.scalar(Field::density);
   if (rule == DensityRule::given) {
     auto const& given = problem_.scalars.at(Field::density);
     for (std::size_t i = 0; i < density.size(); ++i) density[i] = given(particles_.positions()[i], 0.0);
     for (CutCell<Dim> const& cell : cut_cells_) density[cell.particle] = mean_density(problem_, cell);
+    return;
+  }
+  if (rule == DensityRule::voronoi) {
+    for (std::size_t i = 0; i < density.size(); ++i) density[i] = particles_.masses()[i] / cells[i];
+    return;
+  }
+  if (geometry_.neighbours.first.empty()) {  // pairs are not the kernel's
+    density = summation_density(grid, h, particles_.masses());
   } else {
     sum_density(particles_, geometry_.neighbours, problem_.domain, threads_);
-    ++passes_["density-summation"];
   }
+  ++passes_["density-summation"];
   if (rule == DensityRule::normalised && !problem_.walls.empty()) {
     for (std::size_t i = 0; i < density.size(); ++i) {
       density[i] /= kernel_inside(particles_.positions()[i], problem_.walls, h(i), h.kernel());
     }
     ++passes_["density-normalisation"];
   }
-
-  if (!choice.walls || problem_.walls.empty()) return;
-  geometry_.walls = problem_.walls;
-  for (Wall<Dim> const& wall : geometry_.walls) {
-    geometry_.contacts.push_back(
-        find_wall_contacts(grid, wall, geometry_.walls, h, particles_.masses(), density,
-                           face_weight_words.value(choice.discretisation.face_weight)));
-  }
-  ++passes_["wall-contacts"];
 }
 
 template <int Dim>

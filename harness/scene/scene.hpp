@@ -6,6 +6,7 @@
 #include <string>
 
 #include "cases/support/problem.hpp"
+#include "formulations/density/density.hpp"
 #include "formulations/rate_operator.hpp"
 #include "formulations/layouts/layout.hpp"
 #include "harness/scene/cut_cells.hpp"
@@ -76,6 +77,7 @@ class Scene {
  private:
   void place_particles(SceneChoice const& choice);
   void find_geometry(SceneChoice const& choice);
+  void set_density(DensityRule rule, CellGrid<Dim> const& grid, std::vector<double> const& cells);
   void set_fields();
   void set_conductivity();
 

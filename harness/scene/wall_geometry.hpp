@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 #include "cases/support/problem.hpp"
 #include "formulations/particles/domain.hpp"
@@ -24,11 +26,9 @@ double wall_area(Domain<Dim> const& domain, Wall<Dim> const& wall) {
   return area;
 }
 
-/// Throws std::invalid_argument when a side of the domain is neither periodic nor a wall, unless the problem
-/// says where its solution holds in spite of a free surface. In one dimension gas may well be free at an end.
+/// The first side of the domain that is neither periodic nor a wall, in words; empty if all are closed.
 template <int Dim>
-void require_closed(Problem<Dim> const& problem) {
-  if (Dim == 1 || problem.holds || problem.walls.empty()) return;
+std::optional<std::string> free_side(Problem<Dim> const& problem) {
   for (int k = 0; k < Dim; ++k) {
     if (problem.domain.periodic[static_cast<std::size_t>(k)]) continue;
     for (double const side : {-1.0, 1.0}) {
@@ -36,11 +36,18 @@ void require_closed(Problem<Dim> const& problem) {
       bool const closed = std::any_of(problem.walls.begin(), problem.walls.end(), [&](Wall<Dim> const& wall) {
         return wall.outward_normal.dot(normal) > 1.0 - 1e-12;
       });
-      if (closed) continue;
-      throw std::invalid_argument(fmt::format("the walls do not close: the {} side of axis {} has none",
-                                              side < 0.0 ? "lower" : "upper", k + 1));
+      if (!closed) return fmt::format("the {} side of axis {}", side < 0.0 ? "lower" : "upper", k + 1);
     }
   }
+  return std::nullopt;
+}
+
+/// Throws std::invalid_argument when a side of the domain is neither periodic nor a wall, unless the problem
+/// says where its solution holds in spite of a free surface. In one dimension gas may well be free at an end.
+template <int Dim>
+void require_closed(Problem<Dim> const& problem) {
+  if (Dim == 1 || problem.holds || problem.walls.empty()) return;
+  if (auto const side = free_side(problem)) throw std::invalid_argument("the walls do not close: " + *side + " has none");
 }
 
 /// The smallest face weight of any contact [1/m]; empty without contacts.

@@ -1,5 +1,7 @@
 #include "harness/study/expand.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -69,6 +71,24 @@ std::string lacks(CaseInfo const& info, AnyProblem const& problem, std::string c
       problem);
 }
 
+/// Why a form cannot take pair weights that are not the kernel's; empty if it can.
+std::string without_pair_weight(std::string const& id) {
+  SchemeInfo const* const scheme = find_scheme(id);
+  if (!scheme) return "";
+  if (id.starts_with("plugin/")) return id + " computes its own weights of pairs, from the kernel";
+  bool reads_value = scheme->kernel.contains(KernelWeight::value);
+  for (PassInfo const& pass : scheme->first_passes) reads_value = reads_value || pass.kernel.contains(KernelWeight::value);
+  return reads_value ? id + " reads the kernel's value, which Voronoi pair weights do not have" : "";
+}
+
+/// Why particles have no Voronoi cells where a discretisation needs them; empty if they have.
+std::string without_cells(AnyProblem const& problem, Discretisation const& d) {
+  if (d.pair_weight != "voronoi" && d.density != "voronoi" && !d.layout.voronoi_masses) return "";
+  if (!is_closed(problem)) return "Voronoi cells are unbounded: a side of the domain has neither wall nor periodic image";
+  bool const is_cut = std::visit([](auto const& p) { return !p.initial_jumps.empty() && p.domain.lower.size() > 1; }, problem);
+  return d.layout.voronoi_masses && is_cut ? "Voronoi masses take the density at the particle: the initial state jumps within cells" : "";
+}
+
 bool suits(CaseKind kind, std::string const& density) {
   return density == "given" ? !moves(kind) : density == "continuity" ? moves(kind) : true;
 }
@@ -95,6 +115,18 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
                   : "continuity density needs particles that move";
   }
   if (std::string reason = why_not(problem, d.layout); !reason.empty()) return reason;
+  if (std::string reason = without_cells(problem, d); !reason.empty()) return reason;
+  if (d.pair_weight == "voronoi") {
+    // The kernel is left in what densities and closures sum, and viscosity has its length: one of each stands for all.
+    std::string const no_length = " changes nothing of Voronoi pair weights: they know no smoothing length";
+    if (d.kernel != study.kernels.front()) return "kernel " + d.kernel + no_length;
+    if (d.smoothing_ratio != study.smoothing_ratios.front()) return fmt::format("h/dx {:g}", d.smoothing_ratio) + no_length;
+    if (d.face_weight != study.face_weights.front())
+      return "face weight " + d.face_weight + " changes nothing beside Voronoi pair weights: walls have faces of cells";
+    for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
+      if (std::string reason = without_pair_weight(id); !reason.empty()) return reason;
+    }
+  }
   if (!formulation.walls && d.face_weight != study.face_weights.front()) {
     return "face weight " + d.face_weight + " changes nothing without wall terms";
   }
@@ -139,6 +171,7 @@ std::string label_of(FormulationChoice const& f) {
 std::vector<Discretisation> discretisations(Study const& study) {
   std::vector<Discretisation> all;
   for (auto const& kernel : study.kernels)
+   for (auto const& pair_weight : study.pair_weights)
     for (auto const& density : study.densities)
       for (double const ratio : study.smoothing_ratios)
         for (auto const& layout : study.layouts)
@@ -156,7 +189,8 @@ std::vector<Discretisation> discretisations(Study const& study) {
                                    integrator,
                                    smoothing,
                                    wall_motion,
-                                   {}});
+                                   {},
+                                   pair_weight});
                   }
   return all;
 }
@@ -171,7 +205,7 @@ Study of_codes(Study study, CaseInfo const& info) {
   first_that(study.densities, [&](std::string const& word) { return suits(info.kind, word); });
   first_that(study.integrators, [&](std::string const& word) { return word == "auto" || integrates(info.kind, word); });
   study.viscosities.resize(1);
-  for (auto* words : {&study.kernels, &study.face_weights, &study.closures, &study.smoothings, &study.wall_motions}) words->resize(1);
+  for (auto* words : {&study.kernels, &study.pair_weights, &study.face_weights, &study.closures, &study.smoothings, &study.wall_motions}) words->resize(1);
   return study;
 }
 
@@ -250,6 +284,11 @@ Expansion expand(Study const& study) {
           if (std::find(taken.begin(), taken.end(), d) != taken.end()) continue;
           taken.push_back(d);
           for (double const exponent : study.smoothing_exponents) {
+            if (d.pair_weight == "voronoi" && exponent != study.smoothing_exponents.front()) {
+              skip_once({info.id, label,
+                         fmt::format("an exponent of h/dx of {:g} changes nothing of Voronoi pair weights: they know no smoothing length", exponent)});
+              continue;
+            }
             for (int const resolution : study.resolutions) {
               double const ratio = d.smoothing_ratio * std::pow(resolution / coarsest, exponent);
               expansion.runs.push_back(

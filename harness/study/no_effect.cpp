@@ -44,13 +44,15 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   use(!no_time, "integrator", d.integrator);
   use(is_gas, "viscosity", d.viscosity);
   use(is_gas, "smoothing", d.smoothing);
-  use(walls, "face_weight", d.face_weight);
+  bool const face_weighs = walls && d.pair_weight == "kernel";
+  use(true, "pair_weight", d.pair_weight);
+  use(face_weighs, "face_weight", d.face_weight);
   use(walls, "closure", d.closure);
-  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
                      f.id, f.work, f.conduction, walls, d.kernel, d.density,
                      drives_ratio ? run.smoothing_ratio / d.smoothing_ratio : run.smoothing_ratio,
                      d.layout.id, drives_amplitude ? 0.0 : d.layout.amplitude, d.layout.seed,
-                     walls ? d.face_weight : "", walls ? d.closure : "", no_time ? "" : d.integrator,
+                     d.layout.voronoi_masses, d.pair_weight, face_weighs ? d.face_weight : "", walls ? d.closure : "", no_time ? "" : d.integrator,
                      d.smoothing, walls && has_free_wall(problem) ? d.wall_motion : "", text_of(d.viscosity));
 }
 
@@ -175,7 +177,8 @@ void require_effects(Study const& study, Node const& document) {
   require_effect(asked, "density", choice("density"), &Study::densities,
                  "given is for particles at rest, continuity for "
                  "those that move");
-  require_effect(asked, "face_weight", choice("face_weight"), &Study::face_weights, no_wall_terms);
+  require_effect(asked, "face_weight", choice("face_weight"), &Study::face_weights,
+                 "none has wall terms with the kernel's pair weights");
   require_effect(asked, "closure", choice("closure"), &Study::closures, no_wall_terms);
   require_effect(asked, "smoothing_exponent", document.find("smoothing_exponent"),
                  &Study::smoothing_exponents,

@@ -24,23 +24,26 @@ std::vector<LayoutChoice> read_layout(Node const& node) {
     if (id == "touching") return {{id, default_gap}};
     return {{id}};
   }
-  node.require_keys({"id", "amplitude", "seed", "seeds", "separation", "gap"});
+  node.require_keys({"id", "amplitude", "seed", "seeds", "separation", "gap", "masses"});
   std::string const id = node.at("id").word(ids);
+  auto const masses = node.find("masses");
+  bool const voronoi = masses && masses->word({"layout", "voronoi"}) == "voronoi";
+  if (voronoi && id == "equal-mass") masses->complain("none of voronoi: this layout is made of equal masses");
   if (id == "clumped" || id == "touching") {
     bool const clumps = id == "clumped";
     std::string const key = clumps ? "separation" : "gap";
-    node.require_keys({"id", key});
+    node.require_keys({"id", key, "masses"});
     auto const distance = node.find(key);
-    if (!distance) return {{id, clumps ? default_separation : default_gap}};
-    return {{id, distance->number_between(1e-15, clumps ? 1.0 : 0.5)}};
+    double const away = distance ? distance->number_between(1e-15, clumps ? 1.0 : 0.5) : clumps ? default_separation : default_gap;
+    return {{id, away, 0, voronoi}};
   }
-  node.require_keys({"id", "amplitude", "seed", "seeds"});
+  node.require_keys({"id", "amplitude", "seed", "seeds", "masses"});
   if (id != "jittered" && id != "glass") {
-    node.require_keys({"id"});
-    return {{id}};
+    node.require_keys({"id", "masses"});
+    return {{id, 0.0, 0, voronoi}};
   }
-  node.require_keys(id == "glass" ? std::vector<std::string>{"id", "seed", "seeds"}
-                                  : std::vector<std::string>{"id", "amplitude", "seed", "seeds"});
+  node.require_keys(id == "glass" ? std::vector<std::string>{"id", "seed", "seeds", "masses"}
+                                  : std::vector<std::string>{"id", "amplitude", "seed", "seeds", "masses"});
   double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
   if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
   auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};
@@ -49,7 +52,7 @@ std::vector<LayoutChoice> read_layout(Node const& node) {
   std::vector<LayoutChoice> layouts;
   for (Node const& seed : seeds) {
     auto const value = static_cast<std::uint64_t>(seed.integer(0, std::numeric_limits<std::int64_t>::max()));
-    LayoutChoice const layout{id, amplitude, value};
+    LayoutChoice const layout{id, amplitude, value, voronoi};
     if (std::find(layouts.begin(), layouts.end(), layout) != layouts.end())
       seed.complain("every seed only once");
     layouts.push_back(layout);

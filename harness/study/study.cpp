@@ -198,7 +198,7 @@ Study read_study(Node const& document) {
                              "plugins"});
   // What is not known is named before what is missing.
   if (auto const d = document.find("discretisation")) {
-    d->require_keys({"kernel", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator",
+    d->require_keys({"kernel", "pair_weight", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator",
                      "viscosity", "smoothing", "wall_motion"});
   }
   Study study;
@@ -237,6 +237,7 @@ Study read_study(Node const& document) {
     }
   }
   study.kernels = read_words(find_choice(document, "kernel"), kernel_words(), {kernel_words().front()});
+  study.pair_weights = read_words(find_choice(document, "pair_weight"), pair_weight_words.all(), {"kernel"});
   study.densities = read_words(find_choice(document, "density"), density_words.all(),
                                defaults(study.cases, "given", "continuity"));
   study.face_weights = read_words(find_choice(document, "face_weight"), face_weight_words.all(), {"exact"});
@@ -323,6 +324,7 @@ Json to_json(Study const& study) {
   Json layouts = Json::array();
   for (LayoutChoice const& layout : study.layouts) layouts.push_back(to_json(layout));
   json["discretisation"] = {{"kernel", study.kernels},
+                            {"pair_weight", study.pair_weights},
                             {"density", study.densities},
                             {"smoothing_ratio", study.smoothing_ratios},
                             {"layout", layouts},

@@ -24,7 +24,7 @@ struct Study {
   std::vector<std::string> plugins;  ///< paths of the shared libraries that it takes formulations from
   std::vector<FormulationChoice> formulations;
   std::vector<std::shared_ptr<ExternalCode const>> codes;  ///< those of the formulations that are not ours
-  std::vector<std::string> kernels, densities, face_weights, closures, integrators, smoothings, wall_motions;
+  std::vector<std::string> kernels, pair_weights, densities, face_weights, closures, integrators, smoothings, wall_motions;
   std::vector<std::optional<ViscosityChoice>> viscosities;  ///< empty: as the case needs
   std::vector<double> smoothing_ratios;
   std::vector<LayoutChoice> layouts;  ///< one entry per seed

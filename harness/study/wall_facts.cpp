@@ -2,10 +2,16 @@
 
 #include <algorithm>
 
+#include "harness/scene/wall_geometry.hpp"
+
 namespace sphverify {
 
 bool has_walls(AnyProblem const& problem) {
   return std::visit([](auto const& p) { return !p.walls.empty(); }, problem);
+}
+
+bool is_closed(AnyProblem const& problem) {
+  return std::visit([](auto const& p) { return !free_side(p); }, problem);
 }
 
 bool has_free_wall(AnyProblem const& problem) {

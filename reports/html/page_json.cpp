@@ -96,7 +96,8 @@ Json settings_json(Discretisation const& d, double smoothing_exponent, int first
           {"viscosity", word(viscosity_text(d.viscosity))},
           {"wall motion", word(d.wall_motion)},
           {"integrator", word(d.integrator)},
-          {"kernel", word(d.kernel)}};
+          {"kernel", word(d.kernel)},
+          {"pair weight", word(d.pair_weight)}};
 }
 
 void put_formulation(Json& json, FormulationChoice const& f, std::string const& label, Dictionary& word) {

@@ -48,7 +48,9 @@ Discretisation read_discretisation(Node const& node) {
       if (auto const amplitude = layout.find(key)) d.layout.amplitude = amplitude->number();
     }
     if (auto const seed = layout.find("seed")) d.layout.seed = count(*seed);
+    d.layout.voronoi_masses = layout.find("masses").has_value();
   }
+  if (auto const weight = node.find("pair_weight")) d.pair_weight = weight->string();  // 0.2 had the kernel's alone
   d.face_weight = node.at("face_weight").string();
   d.closure = node.at("closure").string();
   d.integrator = node.at("integrator").string();

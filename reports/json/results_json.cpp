@@ -236,6 +236,7 @@ Json to_json(Series const& s) {
 
 Json to_json(Discretisation const& d) {
   return {{"kernel", d.kernel},
+          {"pair_weight", d.pair_weight},
           {"density", d.density},
           {"smoothing_ratio", d.smoothing_ratio},
           {"layout", to_json(d.layout)},
@@ -300,11 +301,13 @@ Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {
 }
 
 Json to_json(LayoutChoice const& layout) {
-  if (layout.id == "glass") return {{"id", layout.id}, {"seed", layout.seed}};
-  if (layout.id == "clumped") return {{"id", layout.id}, {"separation", layout.amplitude}};
-  if (layout.id == "touching") return {{"id", layout.id}, {"gap", layout.amplitude}};
-  if (layout.id != "jittered") return layout.id;
-  return {{"id", layout.id}, {"amplitude", layout.amplitude}, {"seed", layout.seed}};
+  Json json = {{"id", layout.id}};
+  if (layout.id == "clumped") json["separation"] = layout.amplitude;
+  if (layout.id == "touching") json["gap"] = layout.amplitude;
+  if (layout.id == "jittered") json["amplitude"] = layout.amplitude;
+  if (layout.id == "jittered" || layout.id == "glass") json["seed"] = layout.seed;
+  if (layout.voronoi_masses) json["masses"] = "voronoi";
+  return json.size() > 1 ? json : Json(layout.id);
 }
 
 Json to_json(ViscosityChoice const& v) {

@@ -54,9 +54,11 @@ std::string smoothing_text(Setting const& setting) {
 bool is_drawn(LayoutChoice const& layout) { return layout.id == "jittered" || layout.id == "glass"; }
 
 std::string layout_name(LayoutChoice const& layout) {
-  if (layout.id == "jittered") return fmt::format("jitter {:g}", layout.amplitude);
   bool const has_distance = layout.id == "clumped" || layout.id == "touching";
-  return has_distance ? fmt::format("{} {:g}", layout.id, layout.amplitude) : layout.id;
+  std::string const name = layout.id == "jittered" ? fmt::format("jitter {:g}", layout.amplitude)
+                           : has_distance          ? fmt::format("{} {:g}", layout.id, layout.amplitude)
+                                                   : layout.id;
+  return layout.voronoi_masses ? name + ", Voronoi masses" : name;
 }
 
 std::string viscosity_name(ViscosityChoice const& v) {
@@ -82,6 +84,7 @@ std::string parameters_text(std::map<std::string, ParameterValue> const& paramet
 std::vector<std::pair<std::string, std::string>> setting_words(Setting const& setting) {
   Discretisation const& d = setting.discretisation;
   return {{"kernel", d.kernel},
+          {"pair_weight", d.pair_weight},
           {"density", d.density},
           {"layout", layout_name(d.layout)},
           {"face_weight", d.face_weight},
@@ -95,16 +98,20 @@ std::vector<std::pair<std::string, std::string>> setting_words(Setting const& se
 }
 
 std::vector<SettingNames::Choice> const& SettingNames::choices() {
+  auto const always = [](Setting const&) { return true; };
+  auto const with_walls = [](Setting const& s) { return s.choice.walls; };
+  auto const with_face_weights = [](Setting const& s) { return s.choice.walls && s.discretisation.pair_weight == "kernel"; };
   static std::vector<Choice> const all{
-      {"kernel", [](Setting const& s) { return s.discretisation.kernel; }, false},
-      {"density", [](Setting const& s) { return s.discretisation.density; }, false},
-      {"face weight", [](Setting const& s) { return s.discretisation.face_weight; }, true},
-      {"closure", [](Setting const& s) { return s.discretisation.closure; }, true},
-      {"wall motion", [](Setting const& s) { return s.discretisation.wall_motion; }, true},
-      {"integrator", [](Setting const& s) { return s.discretisation.integrator; }, false},
-      {"smoothing", [](Setting const& s) { return s.discretisation.smoothing; }, false},
-      {"viscosity", [](Setting const& s) { return viscosity_name(s.discretisation.viscosity); }, false},
-      {"results", [](Setting const& s) { return s.document; }, false}};
+      {"kernel", [](Setting const& s) { return s.discretisation.kernel; }, always},
+      {"pair weight", [](Setting const& s) { return s.discretisation.pair_weight; }, always},
+      {"density", [](Setting const& s) { return s.discretisation.density; }, always},
+      {"face weight", [](Setting const& s) { return s.discretisation.face_weight; }, with_face_weights},
+      {"closure", [](Setting const& s) { return s.discretisation.closure; }, with_walls},
+      {"wall motion", [](Setting const& s) { return s.discretisation.wall_motion; }, with_walls},
+      {"integrator", [](Setting const& s) { return s.discretisation.integrator; }, always},
+      {"smoothing", [](Setting const& s) { return s.discretisation.smoothing; }, always},
+      {"viscosity", [](Setting const& s) { return viscosity_name(s.discretisation.viscosity); }, always},
+      {"results", [](Setting const& s) { return s.document; }, always}};
   return all;
 }
 
@@ -114,7 +121,7 @@ SettingNames::SettingNames(std::vector<Setting> const& settings)
   for (Choice const& choice : choices()) {
     std::set<std::string> values;
     for (Setting const& s : settings) {
-      if (s.choice.walls || !choice.needs_walls) values.insert(choice.of(s));
+      if (choice.means_something(s)) values.insert(choice.of(s));
     }
     if (values.size() > 1) varying_.push_back(choice);
   }
@@ -136,8 +143,7 @@ std::string SettingNames::formulation(Setting const& setting) const {
 std::vector<std::string> SettingNames::row(Setting const& setting) const {
   std::vector<std::string> names{formulation(setting)};
   for (Choice const& choice : varying_) {
-    bool const means_something = setting.choice.walls || !choice.needs_walls;
-    names.push_back(means_something ? choice.of(setting) : "");
+    names.push_back(choice.means_something(setting) ? choice.of(setting) : "");
   }
   return names;
 }

@@ -55,7 +55,7 @@ class SettingNames {
   struct Choice {
     char const* name;
     std::string (*of)(Setting const&);
-    bool needs_walls;  ///< means nothing without wall terms
+    bool (*means_something)(Setting const&);  ///< of others nothing is shown
   };
   static std::vector<Choice> const& choices();
 

@@ -5,7 +5,7 @@ import sys
 
 LEADING_FIELDS = ("temperature", "velocity", "acceleration", "heating")
 STEP_METHODS = ("explicit-euler", "heun", "classical-runge-kutta", "runge-kutta", "leapfrog")
-SETTINGS = ("kernel", "density", "layout", "face_weight", "closure", "integrator", "wall_motion", "smoothing",
+SETTINGS = ("kernel", "pair_weight", "density", "layout", "face_weight", "closure", "integrator", "wall_motion", "smoothing",
             "viscosity", "smoothing_ratio", "smoothing_exponent")  # fmt: skip
 # Half of the 95% interval of Student's t, by degrees of freedom.
 STUDENT = {1: 12.706204736174698, 2: 4.302652729749464, 3: 3.182446305283708}
@@ -19,7 +19,8 @@ def layout_text(layout):
         return layout
     distance = {"jittered": "amplitude", "clumped": "separation", "touching": "gap"}.get(layout["id"])
     name = {"jittered": "jitter"}.get(layout["id"], layout["id"])
-    return name if distance is None else f"{name} {layout[distance]:g}"
+    name = name if distance is None else f"{name} {layout[distance]:g}"
+    return name + (", Voronoi masses" if "masses" in layout else "")
 
 
 def seed_of(layout):

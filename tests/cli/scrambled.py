@@ -88,7 +88,8 @@ class Draw:
 
 CHOICES = {
     "kernel": ("cubic-spline", "quintic-spline", "wendland-c2"),
-    "density": ("given", "summation", "continuity", "normalised"),
+    "pair_weight": ("kernel", "voronoi"),
+    "density": ("given", "summation", "continuity", "normalised", "voronoi"),
     "face_weight": ("campbell", "exact", "balanced"),
     "closure": ("interpolated", "one-sided"),
     "integrator": ("bdf", "runge-kutta", "leapfrog"),

@@ -710,7 +710,7 @@ def select_batches(results):
     add({"walls": ["on", "off"]}, walls=lambda run: True)
     add({"formulation": [{"id": brookshaw, "walls": "off"}, sqrt_p]},
         form=lambda run: form(brookshaw, walls="off")(run) or form(sqrt_p)(run), walls=lambda run: True)  # fmt: skip
-    for key in ("kernel", "density", "face_weight", "closure", "integrator", "smoothing", "wall_motion", "smoothing_ratio",
+    for key in ("kernel", "pair_weight", "density", "face_weight", "closure", "integrator", "smoothing", "wall_motion", "smoothing_ratio",
                 "viscosity"):  # fmt: skip
         values = []
         for run in runs:
@@ -773,7 +773,7 @@ def nothing_trials():
         {"discretisation": {"viscosity": {"alpha": 9, "beta": 9}}},
         {"discretisation": {"smoothing_ratio": 1.21}},
     ]
-    keys = ("kernel", "density", "face_weight", "closure", "integrator", "smoothing", "wall_motion")
+    keys = ("kernel", "pair_weight", "density", "face_weight", "closure", "integrator", "smoothing", "wall_motion")
     amiss += [{"discretisation": {key: "nothing"}} for key in keys]
     for select in amiss:
         one = {"select": select, "measure": "status", "equals": "ok"}

@@ -158,7 +158,7 @@ def settings_of(document, entry):
     """By the names of the page's columns."""
     d = entry["discretisation"]
     keys = {"density": "density", "closure": "closure", "face weight": "face_weight", "smoothing": "smoothing",
-            "wall motion": "wall_motion", "integrator": "integrator", "kernel": "kernel"}  # fmt: skip
+            "wall motion": "wall_motion", "integrator": "integrator", "kernel": "kernel", "pair weight": "pair_weight"}  # fmt: skip
     settings = {name: d[key] for name, key in keys.items()}
     v = d["viscosity"]
     settings["viscosity"] = v if v == "off" else f"alpha {v['alpha']:g}, beta {v['beta']:g}"
@@ -172,7 +172,7 @@ def settings_of(document, entry):
 
 
 SETTING_COLUMNS = ("density", "closure", "face weight", "layout", "h/dx", "smoothing", "viscosity", "wall motion",
-                   "integrator", "kernel")  # fmt: skip
+                   "integrator", "kernel", "pair weight")  # fmt: skip
 
 
 class View:

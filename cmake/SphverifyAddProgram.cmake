@@ -1,4 +1,5 @@
 # sphverify_add_program(NAME my-verify SCHEMES "header.hpp:Type"... CASES "header.hpp:Type"... KERNELS "header.hpp:Type"...
+#                       [WALLS "header.hpp:Type"...]
 #                       [LINK target...])
 # A program with all commands and all parts of sphverify, and these beside them. Headers are found from the current source
 # directory, or by their whole path; types may be qualified (my_space::MyScheme). docs/bring-your-own.md says what a header holds.
@@ -19,12 +20,12 @@ function(sphverify_split_part part kind header type)
 endfunction()
 
 function(sphverify_add_program)
-  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "NAME" "SCHEMES;CASES;KERNELS;LINK")
+  cmake_parse_arguments(PARSE_ARGV 0 ARG "" "NAME" "SCHEMES;CASES;KERNELS;WALLS;LINK")
   if(NOT ARG_NAME)
     message(FATAL_ERROR "sphverify_add_program: NAME is missing")
   endif()
   if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "sphverify_add_program: found ${ARG_UNPARSED_ARGUMENTS}; expected NAME, SCHEMES, CASES, KERNELS or LINK")
+    message(FATAL_ERROR "sphverify_add_program: found ${ARG_UNPARSED_ARGUMENTS}; expected NAME, SCHEMES, CASES, KERNELS, WALLS or LINK")
   endif()
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     message(STATUS "sphverify_add_program: no build type was chosen: ${ARG_NAME} is optimised as a Release")
@@ -47,6 +48,11 @@ function(sphverify_add_program)
     sphverify_split_part("${part}" KERNELS header type)
     list(APPEND headers "${header}")
     string(APPEND calls "    sphverify::add_kernel<::${type}, ${schemes}>();\n")
+  endforeach()
+  foreach(part IN LISTS ARG_WALLS)
+    sphverify_split_part("${part}" WALLS header type)
+    list(APPEND headers "${header}")
+    string(APPEND calls "    sphverify::add_wall_treatment<::${type}>();\n")
   endforeach()
   foreach(part IN LISTS ARG_CASES)
     sphverify_split_part("${part}" CASES header type)

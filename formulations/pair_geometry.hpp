@@ -3,22 +3,26 @@
 #include <vector>
 
 #include "formulations/neighbours/neighbours.hpp"
+#include "formulations/wall_particles/wall_particles.hpp"
 #include "formulations/walls/walls.hpp"
 
 namespace sphverify {
 
 /// Everything that depends on where the particles are: neighbours and wall contacts. `contacts` is empty
-/// where a formulation has no wall terms, else it has one entry per wall of `walls`.
+/// where a formulation has no wall terms, else it has one entry per wall of `walls`; so has `behind` where
+/// particles stand behind these in place of wall terms.
 template <int Dim>
 struct PairGeometry {
   Domain<Dim> domain;
   NeighbourList neighbours;
   std::vector<Wall<Dim>> walls;
   std::vector<WallContacts<Dim>> contacts;
+  std::vector<WallParticles<Dim>> behind{};
 
   std::size_t bytes() const {
     std::size_t bytes = neighbours.bytes();
     for (auto const& wall : contacts) bytes += wall.bytes();
+    for (auto const& wall : behind) bytes += wall.bytes();
     return bytes;
   }
 };

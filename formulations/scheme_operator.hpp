@@ -37,6 +37,7 @@ class SchemeOperator final : public RateOperator<Dim> {
         fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
                              wall_values<n>(geometry.contacts[w]), closure, time);
       }
+      for (std::size_t w = 0; w < geometry.behind.size(); ++w) sweep_behind<n>(geometry, w, particles, time, threads);
       if constexpr (n == last) {
         check(particles, geometry);
         if constexpr (Scheme::info.difference_form) {
@@ -52,16 +53,17 @@ class SchemeOperator final : public RateOperator<Dim> {
                 WorkCount& work) override {
     work.pair_interactions += geometry.neighbours.pairs();
     for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
+    for (auto const& behind : geometry.behind) work.wall_interactions += behind.pairs.pairs();
     with_pass(pass, [&]<std::size_t n>() {
       if constexpr (n == last) {
         wall_terms_.clear();
         exchanged_.clear();
-        for (auto const& contacts : geometry.contacts) {
-          wall_terms_.push_back(add_wall<n>(contacts, particles));
-          exchanged_.push_back(total(contacts, particles, wall_terms_.back()));
+        for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+          wall_terms_.push_back(add_wall<n>(geometry, w, particles));
+          exchanged_.push_back(total(geometry.contacts[w], particles, wall_terms_.back()));
         }
       } else {
-        for (auto const& contacts : geometry.contacts) add_wall<n>(contacts, particles);
+        for (std::size_t w = 0; w < geometry.contacts.size(); ++w) add_wall<n>(geometry, w, particles);
         finish<n>(particles);
       }
     });
@@ -104,8 +106,8 @@ class SchemeOperator final : public RateOperator<Dim> {
     }(std::make_index_sequence<last + 1>());
   }
 
-  template <class APass>
-  static auto& output(Particles<Dim>& particles) {
+  template <class APass, class AnyParticles>
+  static auto& output(AnyParticles& particles) {
     constexpr FieldInfo field = sphverify::info(output_of<APass>());
     if constexpr (field.is_tensor) {
       return (particles.tensor(field.field));
@@ -126,10 +128,34 @@ class SchemeOperator final : public RateOperator<Dim> {
     return Pass<n>::info.boundary;
   }
 
+  /// The pass's pairs of a wall's contacts with what stands behind it, into the field that it writes there.
   template <std::size_t n>
-  static auto add_wall(WallContacts<Dim> const& contacts, Particles<Dim>& particles) {
+  static void sweep_behind(PairGeometry<Dim>& geometry, std::size_t wall, Particles<Dim> const& fluid, double time, int threads) {
+    constexpr FieldSet reads = reads_of_pass<Scheme, n>();
+    WallParticles<Dim>& behind = geometry.behind[wall];
+    fill_wall_particles(behind, geometry.contacts[wall], geometry.walls, fluid, reads, time);
+    if constexpr (Scheme::info.non_negative.contains(Field::pressure))
+      require_non_negative(Scheme::info, "pressure behind it", behind.particles.scalar(Field::pressure), wall);
+    behind.particles.allocate(output_of<Pass<n>>());
+    PairSweep<Dim> sweep(behind.pairs, geometry.domain, threads);
+    sweep.add(loops_of_scheme<Scheme, Dim>().passes[n], reads, Pass<n>::info.kernel, output<Pass<n>>(behind.particles));
+    sweep.run(behind.particles);
+  }
+
+  template <std::size_t n>
+  static auto add_wall(PairGeometry<Dim> const& geometry, std::size_t wall, Particles<Dim>& particles) {
     constexpr FieldInfo field = sphverify::info(output_of<Pass<n>>());
     using Term = std::conditional_t<field.is_tensor, Tensor<Dim>, std::conditional_t<field.is_vector, Vector<Dim>, double>>;
+    WallContacts<Dim> const& contacts = geometry.contacts[wall];
+    if (!geometry.behind.empty()) {
+      auto const& sums = output<Pass<n>>(geometry.behind[wall].particles);
+      std::vector<Term> terms;
+      for (std::size_t c = 0; c < contacts.size(); ++c) {
+        terms.push_back(sums[c]);
+        increase(output<Pass<n>>(particles), contacts.particle[c], terms.back());
+      }
+      return terms;
+    }
     constexpr BoundaryValueSet of_wall = [] {
       if constexpr (n == last) return Scheme::info.boundary | Scheme::info.boundary_if_prescribed;
       return Pass<n>::info.boundary;

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cases/support/parameters.hpp"
@@ -52,11 +53,25 @@ struct Discretisation {
   bool operator==(Discretisation const&) const = default;
 };
 
+/// What stands for the walls of a scene: a formulation's own wall terms, nothing, or particles behind them.
+struct WallChoice {
+  std::string word = "on";  ///< on, off, or the identifier of a treatment (formulations/wall_particles)
+
+  WallChoice() = default;
+  WallChoice(bool own_terms) : word(own_terms ? "on" : "off") {}
+  explicit WallChoice(std::string named) : word(std::move(named)) {}
+
+  /// Whether anything stands for them.
+  operator bool() const { return word != "off"; }
+  bool are_terms() const { return word == "on"; }
+  bool operator==(WallChoice const&) const = default;
+};
+
 /// A formulation as a study names it.
 struct FormulationChoice {
   std::string id;
   std::string work, conduction;  ///< partners of a momentum form; empty: none
-  bool walls = true;
+  WallChoice walls;
   bool operator==(FormulationChoice const&) const = default;
 };
 

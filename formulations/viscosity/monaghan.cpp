@@ -55,11 +55,42 @@ void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& par
             &viscosity);
 }
 
+namespace {
+
+/// The pairs of a wall's contacts with what stands behind it.
+template <int Dim>
+void add_viscosity_behind(MonaghanViscosity const& viscosity, PairGeometry<Dim>& geometry, std::size_t wall,
+                          Particles<Dim> const& fluid, double time, int threads, ViscousRates<Dim>& rates) {
+  WallContacts<Dim> const& contacts = geometry.contacts[wall];
+  WallParticles<Dim>& behind = geometry.behind[wall];
+  fill_wall_particles(behind, contacts, geometry.walls, fluid,
+                      {Field::mass, Field::density, Field::velocity, Field::sound_speed}, time);
+  PairSweep<Dim> sweep(behind.pairs, geometry.domain, threads);
+  ViscousRates<Dim> from_behind;
+  add_viscosity(viscosity, behind.particles, sweep, from_behind);
+  sweep.run(behind.particles);
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    std::uint32_t const i = contacts.particle[c];
+    Vector<Dim> const acceleration = from_behind.acceleration[c];
+    rates.acceleration.add(i, acceleration);
+    rates.heating[i] += from_behind.heating[c];
+    rates.largest_mu[i] = std::max(rates.largest_mu[i], from_behind.largest_mu[c]);
+    double const m = fluid.masses()[i];
+    rates.wall_force[wall] += m * acceleration;
+    rates.wall_power[wall] += m * (from_behind.heating[c] + acceleration.dot(fluid.vector(Field::velocity)[i]));
+  }
+}
+
+}  // namespace
+
 template <int Dim>
 void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
-                       PairGeometry<Dim> const& geometry, Closure closure, ViscousRates<Dim>& rates) {
+                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads, ViscousRates<Dim>& rates) {
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
+  for (std::size_t w = 0; w < geometry.behind.size(); ++w)
+    add_viscosity_behind(viscosity, geometry, w, particles, time, threads, rates);
+  if (!geometry.behind.empty()) return;
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
     if (!geometry.walls[w].velocity) continue;
     bool const whole_stress = geometry.walls[w].pressure || closure == Closure::one_sided;
@@ -71,8 +102,8 @@ void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const&
 #define SPHVERIFY_INSTANTIATE(Dim)                                                                           \
   template void add_viscosity(MonaghanViscosity const&, Particles<Dim> const&, PairSweep<Dim>&,              \
                               ViscousRates<Dim>&);                                                           \
-  template void add_viscous_walls(MonaghanViscosity const&, Particles<Dim> const&, PairGeometry<Dim> const&, \
-                                  Closure, ViscousRates<Dim>&);
+  template void add_viscous_walls(MonaghanViscosity const&, Particles<Dim> const&, PairGeometry<Dim>&,       \
+                                  Closure, double, int, ViscousRates<Dim>&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

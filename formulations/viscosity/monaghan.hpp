@@ -74,9 +74,10 @@ template <int Dim>
 void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles, PairSweep<Dim>& sweep,
                    ViscousRates<Dim>& rates);
 
-/// Then the walls, on top of what the sweep left in `rates`.
+/// Then the walls, on top of what the sweep left in `rates`: their terms, or the pairs with what stands behind them.
 template <int Dim>
 void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
-                       PairGeometry<Dim> const& geometry, Closure closure, ViscousRates<Dim>& rates);
+                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
+                       ViscousRates<Dim>& rates);
 
 }  // namespace sphverify

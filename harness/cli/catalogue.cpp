@@ -4,6 +4,7 @@
 
 #include "cases/support/case.hpp"
 #include "formulations/rate_operator.hpp"
+#include "formulations/wall_particles/wall_treatment.hpp"
 #include "harness/measure/order.hpp"
 #include "harness/measure/surface.hpp"
 #include "harness/study/study.hpp"
@@ -91,6 +92,12 @@ void add_words(std::vector<CatalogueEntry>& all) {
                                  {"source", kernel.source},
                                  {"support", fmt::format("{:g} h", kernel.support_ratio)},
                                  {"parameters", Json::array({"smoothing_ratio [1.2]: h/dx, with this h"})}};
+                   }});
+  }
+  for (WallTreatmentPart const& treatment : all_wall_treatments()) {
+    WallTreatmentInfo const* const info = treatment.info;
+    all.push_back({"walls", std::string(info->id), std::string(info->title), std::string(info->source), [info] {
+                     return Json{{"equation", info->equation}, {"source", info->source}, {"remarks", info->remarks}, {"parameters", Json::array()}};
                    }});
   }
   all.push_back({"layouts", "lattice", "Particles at the centres of equal cells", "", [] {
@@ -199,7 +206,7 @@ std::vector<CatalogueEntry> const& catalogue() {
 }
 
 std::vector<std::string> catalogue_kinds() {
-  return {"formulations", "cases", "kernels", "layouts", "measures"};
+  return {"formulations", "cases", "kernels", "walls", "layouts", "measures"};
 }
 
 }  // namespace sphverify

@@ -8,13 +8,14 @@
 #include "formulations/kernels/kernel_of.hpp"
 #include "formulations/scheme_operator.hpp"
 #include "formulations/sweep/dispatch.hpp"
+#include "formulations/wall_particles/wall_treatment.hpp"
 #include "harness/study/context.hpp"
 
 namespace sphverify {
 
 struct Program {
   std::string_view name = "sphverify";
-  void (*add_parts)() = nullptr;  ///< calls add_scheme, add_kernel and add_case for what is not ours
+  void (*add_parts)() = nullptr;  ///< calls add_scheme, add_kernel, add_wall_treatment and add_case for what is not ours
 };
 
 /// All commands; what a program's `main` returns.
@@ -44,6 +45,13 @@ void add_kernel() {
   add_kernel(kernel_part<Kernel>());
   add_kernel_loops(loops_of_kernel<Kernel, Schemes>());
   note_added_part(Kernel<1>::id);
+}
+
+/// @tparam Treatment what formulations/wall_particles/wall_treatment.hpp describes
+template <class Treatment>
+void add_wall_treatment() {
+  add_wall_treatment(wall_treatment_part<Treatment>());
+  note_added_part(Treatment::info.id);
 }
 
 /// @tparam Definition what cases/support/case.hpp describes

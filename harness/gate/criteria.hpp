@@ -86,7 +86,7 @@ std::vector<Criterion<Subject>> criteria(Select const& select) {
                        [&](FormulationMatch const& m) { return m.walls && matches(m, s.formulation); });
                    return named || is_one_of(s.formulation.walls, select.walls);
                  },
-                 [](Subject const& s) { return s.formulation.walls ? "on" : "off"; }});
+                 [](Subject const& s) { return s.formulation.walls.word; }});
   for (WordKey const& word : word_keys) {
     auto const named = select.words.find(word.key);
     if (named == select.words.end()) continue;

@@ -32,7 +32,7 @@ bool is_of_series(GateMeasure measure);
 struct FormulationMatch {
   std::string id;                               ///< empty: any
   std::optional<std::string> work, conduction;  ///< an empty one matches those without a partner
-  std::optional<bool> walls;
+  std::optional<WallChoice> walls;
 };
 
 struct CaseMatch {
@@ -58,7 +58,7 @@ struct Select {
   std::vector<ViscosityChoice> viscosities;
   std::vector<int> resolutions;
   std::vector<double> smoothing_exponents;
-  std::vector<bool> walls{true};
+  std::vector<WallChoice> walls{true};
 };
 
 /// How many runs (or series) a gate must look at. Where neither is given, every entry of a list in `select`

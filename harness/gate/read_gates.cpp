@@ -94,7 +94,7 @@ FormulationMatch read_formulation_match(Node const& node) {
     return found->is_null() ? "" : found->string();
   };
   FormulationMatch match{node.at("id").string(), partner("work"), partner("conduction"), {}};
-  if (auto const walls = node.find("walls")) match.walls = walls->word({"on", "off"}) == "on";
+  if (auto const walls = node.find("walls")) match.walls = WallChoice(walls->string());
   return match;
 }
 
@@ -164,7 +164,7 @@ Select read_select(Node const& node) {
       if (match.walls) walls->complain("this key either here or in formulation");
     }
     select.walls.clear();
-    for (Node const& one : walls->one_or_many()) select.walls.push_back(one.word({"on", "off"}) == "on");
+    for (Node const& one : walls->one_or_many()) select.walls.push_back(WallChoice(one.string()));
   }
   return select;
 }

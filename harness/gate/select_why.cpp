@@ -145,7 +145,7 @@ std::string text_of(FormulationMatch const& match) {
   for (auto const& partner : {match.work, match.conduction}) {
     if (partner && !partner->empty()) text += " + " + *partner;
   }
-  if (match.walls) text += *match.walls ? " (walls on)" : " (walls off)";
+  if (match.walls) text += " (walls " + match.walls->word + ")";
   return text;
 }
 

@@ -7,6 +7,7 @@
 #include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/kernels/kernel.hpp"
+#include "formulations/wall_particles/wall_treatment.hpp"
 #include "formulations/walls/walls.hpp"
 #include "harness/study/words.hpp"
 
@@ -20,6 +21,13 @@ inline constexpr Words<DensityRule, 5> density_words{{{{"given", DensityRule::gi
                                                        {"voronoi", DensityRule::voronoi}}}};
 
 inline constexpr Words<PairWeight, 2> pair_weight_words{{{{"kernel", PairWeight::kernel}, {"voronoi", PairWeight::voronoi}}}};
+
+/// What may stand for walls: a form's own terms, nothing, or a treatment.
+inline std::vector<std::string> wall_words() {
+  std::vector<std::string> words{"on", "off"};
+  for (WallTreatmentPart const& one : all_wall_treatments()) words.emplace_back(one.info->id);
+  return words;
+}
 
 /// Kernels that documents may name.
 inline std::vector<std::string> kernel_words() {

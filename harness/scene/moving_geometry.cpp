@@ -88,6 +88,24 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
   } else {
     weigh_by_cells(geometry_, std::move(cells), *grid_, SmoothingLength(particles), particles.masses(), density, choice_.threads);
   }
+  if (choice_.behind_walls && !walls.empty()) stand_behind(particles);
+}
+
+/// What stands behind the walls, where they are now; a summed density takes it in.
+template <int Dim>
+void MovingGeometry<Dim>::stand_behind(Particles<Dim>& particles) {
+  SmoothingLength const h(particles);
+  require_room_between_walls(geometry_.walls, h.kernel().support_ratio() * h.largest());
+  geometry_.behind = stand_behind_walls(
+      choice_.behind_walls->template place<Dim>({particles, geometry_.domain, geometry_.walls, *grid_, choice_.spacing}), geometry_.contacts,
+      particles, geometry_.domain);
+  ++passes_[choice_.behind_walls->info->id];
+  if (choice_.density != DensityRule::summation) return;
+  for (std::size_t w = 0; w < geometry_.walls.size(); ++w) {
+    fill_wall_particles(geometry_.behind[w], geometry_.contacts[w], geometry_.walls, particles, {Field::mass}, 0.0);
+    add_density_behind(geometry_.behind[w], geometry_.contacts[w], geometry_.domain, choice_.threads,
+                       particles.scalar(Field::density));
+  }
 }
 
 /// Keeps the list of neighbours as long as it holds all pairs.

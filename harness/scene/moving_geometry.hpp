@@ -7,6 +7,7 @@
 #include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/pair_geometry.hpp"
+#include "formulations/wall_particles/wall_treatment.hpp"
 
 namespace sphverify {
 
@@ -19,11 +20,13 @@ class MovingGeometry {
  public:
   struct Choice {
     DensityRule density;
-    PairWeight pair_weight;
     FaceWeight face_weight;
     bool adaptive;           ///< every particle has its own smoothing length, h_i = ratio (m_i/rho_i)^(1/Dim)
     double smoothing_ratio;  ///< h/dx
     int threads;
+    PairWeight pair_weight = PairWeight::kernel;
+    WallTreatmentPart const* behind_walls = nullptr;  ///< what stands behind them; null: nothing
+    double spacing = 0.0;                             ///< of the layout, for those [m]
   };
 
   MovingGeometry(Domain<Dim> const& domain, Choice const& choice);
@@ -47,6 +50,7 @@ class MovingGeometry {
   }
   bool weighs_by_kernel() const { return choice_.pair_weight == PairWeight::kernel; }
   double skin_used(Particles<Dim> const& particles) const;
+  void stand_behind(Particles<Dim>& particles);
   void follow_list(Particles<Dim> const& particles);
   void find_list(Particles<Dim> const& particles, double skin);
   void set_density(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);

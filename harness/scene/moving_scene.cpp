@@ -8,6 +8,7 @@
 
 #include "harness/scene/choices.hpp"
 #include "harness/scene/initial_particles.hpp"
+#include "harness/scene/place.hpp"
 
 namespace sphverify {
 
@@ -36,11 +37,13 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
       particles_(0, 1.0),
       walls_(problem_.walls),
       geometry_(problem_.domain, {.density = density_rule_,
-                                  .pair_weight = pair_weight_words.value(choice.discretisation.pair_weight),
                                   .face_weight = face_weight_words.value(choice.discretisation.face_weight),
                                   .adaptive = adaptive_,
                                   .smoothing_ratio = choice.smoothing_ratio,
-                                  .threads = choice.threads}) {
+                                  .threads = choice.threads,
+                                  .pair_weight = pair_weight_words.value(choice.discretisation.pair_weight),
+                                  .behind_walls = find_wall_treatment(choice.walls.word),
+                                  .spacing = spacing_of(problem_.domain, choice.discretisation.layout, choice.resolution)}) {
   if (has_continuity()) continuity_operator_ = make_continuity_operator<Dim>();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall<Dim>& wall = walls_[w];

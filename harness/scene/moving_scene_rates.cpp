@@ -182,7 +182,7 @@ void MovingScene<Dim>::evaluate_rates(double time) {
   std::size_t const n = particles_.size();
   auto const& v = particles_.vector(Field::velocity);
   if (viscosity_.is_on()) {
-    add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, viscous_);
+    add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, time, threads_, viscous_);
     ++passes_["viscosity"];
     work_.pair_interactions += geometry().neighbours.pairs();
     for (std::size_t i = 0; i < n; ++i) {

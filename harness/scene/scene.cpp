@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "formulations/basics/parallel.hpp"
+#include "formulations/wall_particles/wall_treatment.hpp"
 #include "harness/scene/choices.hpp"
 #include "harness/scene/initial_particles.hpp"
 #include "harness/scene/wall_geometry.hpp"
@@ -63,6 +64,18 @@ void Scene<Dim>::find_geometry(SceneChoice const& choice) {
   for (Wall<Dim> const& wall : geometry_.walls)
     geometry_.contacts.push_back(
         find_wall_contacts(grid, wall, geometry_.walls, h, particles_.masses(), density, face_weight));
+  if (!choice.walls || choice.walls.are_terms() || geometry_.walls.empty()) return;
+  WallTreatmentPart const* const treatment = find_wall_treatment(choice.walls.word);
+  if (!treatment) throw std::invalid_argument("nothing called " + choice.walls.word + " stands behind walls");
+  require_room_between_walls(geometry_.walls, h.kernel().support_ratio() * h.largest());
+  geometry_.behind = stand_behind_walls(
+      treatment->place<Dim>({particles_, problem_.domain, geometry_.walls, grid, spacing_}), geometry_.contacts, particles_, problem_.domain);
+  ++passes_[treatment->info->id];
+  if (rule != DensityRule::summation) return;
+  for (std::size_t w = 0; w < geometry_.walls.size(); ++w) {
+    fill_wall_particles(geometry_.behind[w], geometry_.contacts[w], geometry_.walls, particles_, {Field::mass}, 0.0);
+    add_density_behind(geometry_.behind[w], geometry_.contacts[w], problem_.domain, threads_, particles_.scalar(Field::density));
+  }
 }
 
 /// @param cells volumes of the Voronoi cells, where the rule asks for them

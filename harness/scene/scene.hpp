@@ -18,7 +18,7 @@ namespace sphverify {
 struct SceneChoice {
   std::string formulation;
   std::string work{}, conduction{};  ///< partners of a momentum form; empty: none
-  bool walls = true;
+  WallChoice walls;
   Discretisation discretisation;
   int resolution = 0;
   double smoothing_ratio = 0.0;  ///< h/dx at this resolution

@@ -81,6 +81,25 @@ std::string without_pair_weight(std::string const& id) {
   return reads_value ? id + " reads the kernel's value, which Voronoi pair weights do not have" : "";
 }
 
+/// Why nothing can stand behind the walls; empty if it can, or nothing should.
+std::string without_wall_particles(AnyProblem const& problem, FormulationChoice const& formulation, Discretisation const& d) {
+  if (!formulation.walls || formulation.walls.are_terms()) return "";
+  std::string const what = "walls " + formulation.walls.word;
+  if (!has_walls(problem)) return what + " change nothing where there are no walls";
+  if (d.pair_weight == "voronoi") return "Voronoi cells end at walls: nothing that stands behind them is seen";
+  if (d.density == "normalised")
+    return "normalised density divides by the kernel's part inside: with " + what + " take summation, which counts what is behind";
+  if (d.density == "summation" && formulation.walls.word != "mirror")
+    return what + " take their masses from the density, which cannot be a sum over them: take given, continuity or voronoi";
+  if (d.density == "summation" && d.smoothing == "adaptive")
+    return "adaptive smoothing solves for densities that are sums over the fluid: with " + what + " take continuity";
+  if (d.wall_motion == "mass") return what + " have no wall that stands by the mass of its nearest particle";
+  for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
+    if (id.starts_with("plugin/")) return id + " has wall terms of its own, and sees nothing behind walls";
+  }
+  return "";
+}
+
 /// Why particles have no Voronoi cells where a discretisation needs them; empty if they have.
 std::string without_cells(AnyProblem const& problem, Discretisation const& d) {
   if (d.pair_weight != "voronoi" && d.density != "voronoi" && !d.layout.voronoi_masses) return "";
@@ -127,10 +146,11 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
       if (std::string reason = without_pair_weight(id); !reason.empty()) return reason;
     }
   }
-  if (!formulation.walls && d.face_weight != study.face_weights.front()) {
+  if (std::string reason = without_wall_particles(problem, formulation, d); !reason.empty()) return reason;
+  if (!formulation.walls.are_terms() && d.face_weight != study.face_weights.front()) {
     return "face weight " + d.face_weight + " changes nothing without wall terms";
   }
-  if (!formulation.walls && d.closure != study.closures.front()) {
+  if (!formulation.walls.are_terms() && d.closure != study.closures.front()) {
     return "closure " + d.closure + " changes nothing without wall terms";
   }
   if (is_external(formulation.id)) return "";
@@ -165,7 +185,7 @@ std::string label_of(FormulationChoice const& f) {
   std::string label = f.id;
   if (!f.work.empty()) label += " + " + f.work;
   if (!f.conduction.empty()) label += " + " + f.conduction;
-  return f.walls ? label : label + " (walls off)";
+  return f.walls.are_terms() ? label : label + " (walls " + f.walls.word + ")";
 }
 
 std::vector<Discretisation> discretisations(Study const& study) {

@@ -44,12 +44,12 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   use(!no_time, "integrator", d.integrator);
   use(is_gas, "viscosity", d.viscosity);
   use(is_gas, "smoothing", d.smoothing);
-  bool const face_weighs = walls && d.pair_weight == "kernel";
+  bool const face_weighs = f.walls.are_terms() && walls && d.pair_weight == "kernel";
   use(true, "pair_weight", d.pair_weight);
   use(face_weighs, "face_weight", d.face_weight);
   use(walls, "closure", d.closure);
   return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
-                     f.id, f.work, f.conduction, walls, d.kernel, d.density,
+                     f.id, f.work, f.conduction, walls ? f.walls.word : "", d.kernel, d.density,
                      drives_ratio ? run.smoothing_ratio / d.smoothing_ratio : run.smoothing_ratio,
                      d.layout.id, drives_amplitude ? 0.0 : d.layout.amplitude, d.layout.seed,
                      d.layout.voronoi_masses, d.pair_weight, face_weighs ? d.face_weight : "", walls ? d.closure : "", no_time ? "" : d.integrator,

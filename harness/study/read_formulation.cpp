@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formulations/rate_operator.hpp"
+#include "harness/scene/choices.hpp"
 #include "harness/study/load_plugin.hpp"
 #include "harness/study/read_case.hpp"
 
@@ -60,7 +61,7 @@ FormulationChoice read_study_formulation(Node const& node, std::vector<std::stri
   }
   f.id = read_identifier(id, known, "sphverify list formulations");
   if (bare) return f;
-  if (auto const walls = node.find("walls")) f.walls = walls->word({"on", "off"}) == "on";
+  if (auto const walls = node.find("walls")) f.walls = WallChoice(walls->word(wall_words()));
   bool const is_momentum = find_scheme(f.id)->rate == Rate::acceleration;
   if (auto const work = node.find("work")) {
     if (!is_momentum) work->complain("no partner: only a momentum form has them");

@@ -30,7 +30,7 @@ FormulationChoice read_formulation(Node const& node) {
   f.id = node.at("formulation").string();
   f.work = optional_string(node.at("work"));
   f.conduction = optional_string(node.at("conduction"));
-  f.walls = node.at("walls").word({"on", "off"}) == "on";
+  f.walls = WallChoice(node.at("walls").string());
   return f;
 }
 

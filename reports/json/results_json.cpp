@@ -252,7 +252,7 @@ void put_formulation(Json& json, FormulationChoice const& f) {
   json["formulation"] = f.id;
   json["work"] = f.work.empty() ? Json(nullptr) : Json(f.work);
   json["conduction"] = f.conduction.empty() ? Json(nullptr) : Json(f.conduction);
-  json["walls"] = f.walls ? "on" : "off";
+  json["walls"] = f.walls.word;
 }
 
 Json to_json(ObservedOrder const& o) {
@@ -316,7 +316,7 @@ Json to_json(ViscosityChoice const& v) {
 }
 
 Json to_json(FormulationChoice const& f) {
-  Json json = {{"id", f.id}, {"walls", f.walls ? "on" : "off"}};
+  Json json = {{"id", f.id}, {"walls", f.walls.word}};
   if (!f.work.empty()) json["work"] = f.work;
   if (!f.conduction.empty()) json["conduction"] = f.conduction;
   return json;

@@ -80,7 +80,7 @@ std::vector<std::pair<std::string, std::string>> words_of(LevelRow const& row) {
       {"results", plain(row.document)},      {"case", row.case_id},
       {"parameters", plain(row.parameters)}, {"label", row.label},
       {"formulation", row.formulation},      {"work", row.choice.work},
-      {"conduction", row.choice.conduction}, {"walls", row.choice.walls ? "on" : "off"}};
+      {"conduction", row.choice.conduction}, {"walls", row.choice.walls.word}};
   for (auto& choice : setting_words(row)) {
     // Numbers of a program's own are numbers here.
     if (choice.first != "smoothing_ratio" && choice.first != "smoothing_exponent")

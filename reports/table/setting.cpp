@@ -99,8 +99,8 @@ std::vector<std::pair<std::string, std::string>> setting_words(Setting const& se
 
 std::vector<SettingNames::Choice> const& SettingNames::choices() {
   auto const always = [](Setting const&) { return true; };
-  auto const with_walls = [](Setting const& s) { return s.choice.walls; };
-  auto const with_face_weights = [](Setting const& s) { return s.choice.walls && s.discretisation.pair_weight == "kernel"; };
+  auto const with_walls = [](Setting const& s) { return static_cast<bool>(s.choice.walls); };
+  auto const with_face_weights = [](Setting const& s) { return s.choice.walls.are_terms() && s.discretisation.pair_weight == "kernel"; };
   static std::vector<Choice> const all{
       {"kernel", [](Setting const& s) { return s.discretisation.kernel; }, always},
       {"pair weight", [](Setting const& s) { return s.discretisation.pair_weight; }, always},
@@ -137,7 +137,7 @@ std::string SettingNames::formulation(Setting const& setting) const {
   if (!choice.work.empty() && several_works_.contains(choice.id)) name += " + " + without_room(choice.work);
   if (!choice.conduction.empty() && several_conductions_.contains(choice.id))
     name += " + " + without_room(choice.conduction);
-  return choice.walls ? name : name + " (walls off)";
+  return choice.walls.are_terms() ? name : name + " (walls " + choice.walls.word + ")";
 }
 
 std::vector<std::string> SettingNames::row(Setting const& setting) const {

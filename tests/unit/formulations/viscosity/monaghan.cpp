@@ -47,7 +47,7 @@ void evaluate_viscosity(RandomScene<Dim> const& scene, PairGeometry<Dim> const& 
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
   add_viscosity(viscosity, scene.particles, sweep, rates);
   sweep.run(scene.particles);
-  add_viscous_walls(viscosity, scene.particles, geometry, scene.closure, rates);
+  add_viscous_walls(viscosity, scene.particles, geometry, scene.closure, scene.time, threads, rates);
 }
 
 template <int Dim>

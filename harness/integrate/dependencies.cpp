@@ -29,6 +29,17 @@ Rows one_pass(PairGeometry<Dim> const& geometry) {
       }
     }
   }
+  // What stands behind a wall has what its sources have, which may be out of the particle's own reach.
+  for (std::size_t w = 0; w < geometry.behind.size(); ++w) {
+    WallParticles<Dim> const& behind = geometry.behind[w];
+    std::size_t const contacts = behind.pairs.rows();
+    for (std::size_t c = 0; c < contacts; ++c) {
+      auto& row = rows[geometry.contacts[w].particle[c]];
+      for (std::uint32_t const k : behind.pairs.row(c)) {
+        for (auto const& [source, weight] : behind.placed[k - contacts].sources) row.push_back(source);
+      }
+    }
+  }
   for (auto& row : rows) make_set(row);
   return rows;
 }

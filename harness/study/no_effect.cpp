@@ -47,12 +47,13 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   bool const face_weighs = f.walls.are_terms() && walls && d.pair_weight == "kernel";
   use(true, "pair_weight", d.pair_weight);
   use(face_weighs, "face_weight", d.face_weight);
-  use(walls, "closure", d.closure);
+  bool const closes = walls && (f.walls.are_terms() || has_free_wall(problem));
+  use(closes, "closure", d.closure);
   return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
                      f.id, f.work, f.conduction, walls ? f.walls.word : "", d.kernel, d.density,
                      drives_ratio ? run.smoothing_ratio / d.smoothing_ratio : run.smoothing_ratio,
                      d.layout.id, drives_amplitude ? 0.0 : d.layout.amplitude, d.layout.seed,
-                     d.layout.voronoi_masses, d.pair_weight, face_weighs ? d.face_weight : "", walls ? d.closure : "", no_time ? "" : d.integrator,
+                     d.layout.voronoi_masses, d.pair_weight, face_weighs ? d.face_weight : "", closes ? d.closure : "", no_time ? "" : d.integrator,
                      d.smoothing, walls && has_free_wall(problem) ? d.wall_motion : "", text_of(d.viscosity));
 }
 

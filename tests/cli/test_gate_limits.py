@@ -673,9 +673,17 @@ def with_odd_parameters(results):
     return results
 
 
+def with_masses_of_cells(results):
+    """Masses of Voronoi cells, of one disordered ladder."""
+    series = next(s for s in results["series"] if isinstance(s["discretisation"]["layout"], dict))
+    for entry in [series, *runs_of(results, series)]:
+        entry["discretisation"]["layout"] = entry["discretisation"]["layout"] | {"masses": "voronoi"}
+    return results
+
+
 def select_batches(results):
     """By how many runs each key of `select` takes."""
-    original, results = results, with_odd_parameters(scrambled(results, settings=True))
+    original, results = results, with_masses_of_cells(with_odd_parameters(scrambled(results, settings=True)))
     runs = results["runs"]
     cases = []  # (select, runs that match)
 
@@ -721,10 +729,13 @@ def select_batches(results):
         add({"discretisation": {key: values[:2]}}, value=lambda run, k=key, v=values[:2]: run["discretisation"][k] in v)
     is_layout = lambda id, **keys: lambda run: (  # noqa: E731
         run["discretisation"]["layout"] == id if id == "lattice" else isinstance(run["discretisation"]["layout"], dict)
-        and all(run["discretisation"]["layout"][key] == value for key, value in keys.items()))  # fmt: skip
+        and all(run["discretisation"]["layout"].get(key) == value for key, value in keys.items()))  # fmt: skip
     for layout, test in (("lattice", is_layout("lattice")), ("jittered", is_layout("jittered")),
                          ({"id": "lattice"}, is_layout("lattice")),
                          ({"id": "jittered", "amplitude": 0.1}, is_layout("jittered")),
+                         ({"id": "jittered", "masses": "voronoi"}, is_layout("jittered", masses="voronoi")),
+                         ({"id": "jittered", "masses": "layout"}, lambda run: is_layout("jittered")(run)
+                          and not is_layout("jittered", masses="voronoi")(run)),
                          ({"id": "jittered", "seed": 2}, is_layout("jittered", seed=2)),
                          ({"id": "jittered", "amplitude": 0.1, "seed": 1}, is_layout("jittered", seed=1))):  # fmt: skip
         add({"discretisation": {"layout": layout}}, layout=test)
@@ -770,6 +781,7 @@ def nothing_trials():
         {"discretisation": {"layout": {"id": "jittered", "amplitude": 0.2}}},
         {"discretisation": {"layout": {"id": "jittered", "seed": 3}}},
         {"discretisation": {"layout": "glass"}},
+        {"discretisation": {"layout": {"id": "lattice", "masses": "voronoi"}}},
         {"discretisation": {"viscosity": {"alpha": 9, "beta": 9}}},
         {"discretisation": {"smoothing_ratio": 1.21}},
     ]

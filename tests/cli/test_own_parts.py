@@ -28,7 +28,8 @@ class OwnParts(ProgramTest):
 
     def test_they_are_listed_and_described_beside_ours(self):
         for kind, ids in (("formulations", {"momentum/gdf", "work/gdf", "momentum/linear-gradient", "momentum/p-rho2"}),
-                          ("cases", {"conduction/decaying-wave", "hydro/noh"}), ("kernels", {"lucy", "cubic-spline"})):
+                          ("cases", {"conduction/decaying-wave", "hydro/noh"}), ("kernels", {"lucy", "cubic-spline"}),
+                          ("walls", {"nearest", "mirror", "dummy"})):  # fmt: skip
             listed = strict_json(self.succeed("list", kind, "--json"))[kind]
             self.assertLessEqual(ids, {one["id"] for one in listed})
         described = strict_json(self.succeed("describe", "momentum/linear-gradient", "--json"))
@@ -44,9 +45,21 @@ class OwnParts(ProgramTest):
     def test_results_name_the_program_and_its_added_parts(self):
         results = self.study(cases="conduction/decaying-wave", formulations="conduction/brookshaw", resolution=[10])
         self.assertEqual(results["context"]["program"], "my-verify")
-        self.assertEqual(set(results["context"]["added"]), {"momentum/gdf", "work/gdf", "momentum/linear-gradient", "lucy", "conduction/harmonic",
-                                                            "conduction/decaying-wave"})
+        self.assertEqual(set(results["context"]["added"]), {"momentum/gdf", "work/gdf", "momentum/linear-gradient", "lucy", "nearest",
+                                                            "conduction/harmonic", "conduction/decaying-wave"})
         self.assertEqual(program.complaints("sphverify-results-1", results), [])
+
+    def test_walls_of_its_own_stand_behind_every_form(self):
+        results = self.study(cases="conduction/slab-dirichlet", resolution=[20, 40],
+                             formulations=[{"id": form, "walls": walls} for form in ("conduction/brookshaw", "conduction/harmonic")
+                                           for walls in ("on", "mirror", "nearest")])  # fmt: skip
+        self.assertEqual(program.complaints("sphverify-results-1", results), [])
+        self.assertEqual({(r["status"], r["walls"]) for r in results["runs"]}, {("ok", w) for w in ("on", "mirror", "nearest")})
+        errors = {(r["formulation"], r["walls"], r["resolution"]): r["errors"]["temperature"]["all"]["l2"] for r in results["runs"]}
+        for error in errors.values():
+            self.assertLess(error, 0.02)
+        for run in results["runs"]:
+            self.assertEqual("nearest" in run["scene"]["passes"], run["walls"] == "nearest")
 
     def test_the_study_of_the_example_runs_and_its_case_is_solved(self):
         results = strict_json(self.succeed("study", EXAMPLE / "study.json"))

@@ -42,7 +42,7 @@ PairGeometry<Dim> gas_geometry(RandomScene<Dim> const& scene, bool with_walls = 
 }
 
 template <int Dim>
-void evaluate_viscosity(RandomScene<Dim> const& scene, PairGeometry<Dim> const& geometry,
+void evaluate_viscosity(RandomScene<Dim> const& scene, PairGeometry<Dim> geometry,
                         MonaghanViscosity const& viscosity, int threads, ViscousRates<Dim>& rates) {
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
   add_viscosity(viscosity, scene.particles, sweep, rates);

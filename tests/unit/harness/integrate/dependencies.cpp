@@ -63,15 +63,16 @@ void check_case(char const* scene_case, int resolution, double dimension) {
   if (dimension > 1.0) parameters.set("dimension", dimension);
   auto const problem = std::get<Problem<Dim>>(one->problem(parameters));
   for (std::string const& formulation : conduction_schemes()) {
-    for (bool const walls : {true, false}) {
+    for (std::string const walls : {"on", "off", "mirror", "dummy", "voronoi"}) {
       for (char const* closure : {"interpolated", "one-sided"}) {
         SceneChoice choice{.formulation = formulation,
-                           .walls = walls,
+                           .walls = WallChoice(walls == "voronoi" ? "on" : walls),
                            .discretisation = jittered_by(0.2, 4),
                            .resolution = resolution,
                            .smoothing_ratio = 1.3,
                            .threads = 1};
         choice.discretisation.closure = closure;
+        if (walls == "voronoi") choice.discretisation.pair_weight = "voronoi";
         BOOST_TEST_CONTEXT(scene_case << " " << formulation << " walls " << walls << " " << closure)
         BOOST_TEST(check_pattern(problem, choice) > 0u);
       }

@@ -22,12 +22,22 @@ void ConvexCell<3>::make_room(std::size_t planes) {
   if (planes <= room_) return;
   std::size_t const old_room = room_;
   room_ = std::max(usual_planes, 2 * planes);
-  if (room_ > 2 * most_faces + 2) throw std::invalid_argument("a Voronoi cell has more than 2000 faces");
+  if (room_ > 2 * most_faces + 2) throw std::length_error("has a Voronoi cell with more than 2000 faces");
   std::vector<Index> const old = std::move(at_edge_);
   at_edge_.assign(room_ * room_, 0);
   for (std::size_t a = 0; a < old_room; ++a)
     std::copy_n(old.begin() + static_cast<std::ptrdiff_t>(a * old_room), old_room,
                 at_edge_.begin() + static_cast<std::ptrdiff_t>(a * room_));
+}
+
+/// Whether it is there, and has the directed edge.
+bool ConvexCell<3>::has_edge(std::size_t corner, Index a, Index b) const {
+  if (corner >= corners_.size()) return false;
+  Triangle const& planes = corners_[corner];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (planes[k] == a && planes[(k + 1) % 3] == b) return true;
+  }
+  return false;
 }
 
 void ConvexCell<3>::add_corner(Vector<3> const& place, Triangle const& planes) {
@@ -55,6 +65,7 @@ void ConvexCell<3>::remove_corner(std::size_t n) {
 
 void ConvexCell<3>::reset(Vector<3> const& half, double tolerance) {
   tolerance_ = tolerance;
+  is_broken_ = false;
   planes_.clear();
   corners_.clear();
   for (auto& along : place_) along.clear();
@@ -122,7 +133,10 @@ bool ConvexCell<3>::clip(Vector<3> const& normal, double distance, std::int32_t 
       Index const a = corners_[v][k];
       Index const b = corners_[v][(k + 1) % 3];
       Index const across = at_edge(b, a);
-      // Corners of this cut have no entry in `beyond_`, and are never across: their edges are the rim's own side.
+      if (across >= n || !has_edge(across, b, a)) {
+        is_broken_ = true;
+        continue;
+      }
       if (beyond_[across] > tolerance_) continue;
       double const inside = std::fmin(0.0, beyond_[across]);
       double const part = inside / (inside - beyond_[v]);
@@ -148,6 +162,7 @@ double ConvexCell<3>::farthest_squared() const {
 /// Half the sum of from x to over the edges around each face; false where Euler's formula does not hold, which says that
 /// rounding has told the corners beyond a plane from the others in no consistent way.
 bool ConvexCell<3>::measure_faces() {
+  if (is_broken_) return false;
   area_.assign(planes_.size(), Vector<3>::Zero());
   has_corner_.assign(planes_.size(), 0);
   for (std::size_t v = 0; v < corners_.size(); ++v) {
@@ -158,6 +173,7 @@ bool ConvexCell<3>::measure_faces() {
       has_corner_[a] = 1;
       if (a > b) continue;  // each edge once
       std::size_t const other = at_edge(b, a);
+      if (!has_edge(other, b, a)) return false;
       Vector<3> const there(place_[0][other], place_[1][other], place_[2][other]);
       Vector<3> const half = 0.5 * cross(here, there);
       area_[a] += half;

@@ -153,6 +153,7 @@ class ConvexCell<3> {
   using Triangle = std::array<Index, 3>;  ///< planes, counter-clockwise seen from outside
 
   Index& at_edge(Index a, Index b) { return at_edge_[a * room_ + b]; }
+  bool has_edge(std::size_t corner, Index a, Index b) const;
   void add_corner(Vector<3> const& place, Triangle const& planes);
   void remove_corner(std::size_t n);
   Index add_plane(CellPlane<3> const& plane);
@@ -169,6 +170,7 @@ class ConvexCell<3> {
   std::vector<std::uint16_t> out_;
   std::vector<Vector<3>> area_;
   std::vector<char> has_corner_;
+  bool is_broken_ = false;  ///< rounding has left edges without a corner at their other end
   double tolerance_ = 0.0;
 };
 

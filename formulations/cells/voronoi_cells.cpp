@@ -48,6 +48,13 @@ struct FoundCell {
   std::vector<std::pair<std::uint32_t, double>> walls;  ///< number and area
 };
 
+/// How long things are in a scene [m].
+struct Lengths {
+  double spacing;             ///< mean distance of particles
+  double largest_coordinate;  ///< of a particle or a side of the domain
+  double whole;               ///< more than anything in the scene, its walls too, is from anything else
+};
+
 /// A particle has no cell that could be used.
 class NoCell : public std::invalid_argument {
  public:
@@ -62,24 +69,20 @@ class NoCell : public std::invalid_argument {
 template <int Dim>
 class CellFinder {
  public:
-  CellFinder(PlacesByCell<Dim> const& places, std::vector<BoxWall<Dim>> const& walls, double spacing)
-      : domain_(places.grid.domain()), positions_(places.grid.positions()), search_(places), walls_(walls), spacing_(spacing) {
-    Vector<Dim> const extent = domain_.extent();
-    for (int k = 0; k < Dim; ++k) {
-      double along = std::max(std::abs(domain_.lower[k]), std::abs(domain_.upper[k]));
-      for (double const x : positions_.component(k)) along = std::max(along, std::abs(x));
-      largest_coordinate_ = std::max(largest_coordinate_, along);
-      whole_ = std::max({whole_, extent[k], 2.0 * along});
-    }
-  }
+  CellFinder(PlacesByCell<Dim> const& places, std::vector<BoxWall<Dim>> const& walls, Lengths const& lengths)
+      : domain_(places.grid.domain()), positions_(places.grid.positions()), search_(places), walls_(walls), lengths_(lengths) {}
 
   FoundCell const& find(std::size_t i) {
     Vector<Dim> const x = domain_.to_box(positions_[i]);
     // Differences of coordinates are no better than that.
-    double tolerance = 8.0 * std::numeric_limits<double>::epsilon() * std::max(largest_coordinate_, spacing_);
+    double tolerance = 4.0 * std::numeric_limits<double>::epsilon() * std::max(lengths_.largest_coordinate, lengths_.spacing);
     int attempts = 0;
-    for (double half = first_half_box * spacing_;;) {
-      cut(i, x, half, tolerance);
+    for (double half = first_half_box * lengths_.spacing;;) {
+      try {
+        cut(i, x, half, tolerance);
+      } catch (std::length_error const& error) {
+        complain(i, error.what());
+      }
       bool touches_box = false;
       if (!read(touches_box)) {
         if (++attempts == most_attempts) complain(i, "has a Voronoi cell that rounding leaves without a shape");
@@ -87,7 +90,7 @@ class CellFinder {
         continue;
       }
       if (!touches_box) break;
-      if (half > larger_by * whole_) complain(i, "has an unbounded Voronoi cell: the fluid has a side with neither wall nor periodic image");
+      if (half > larger_by * lengths_.whole) complain(i, "has an unbounded Voronoi cell: the fluid has a side with neither wall nor periodic image");
       half *= larger_by;
     }
     check_images(i);
@@ -184,7 +187,7 @@ class CellFinder {
   VectorField<Dim> const& positions_;
   RingSearch<Dim> search_;
   std::vector<BoxWall<Dim>> const& walls_;
-  double spacing_, largest_coordinate_ = 0.0, whole_ = 0.0;
+  Lengths lengths_;
   ConvexCell<Dim> cell_;
   std::vector<Near> near_;
   std::vector<Neighbour> cutters_;
@@ -192,19 +195,27 @@ class CellFinder {
   FoundCell found_;
 };
 
-/// The mean distance of particles, from the space that they take up.
+/// Of axes along which all particles have one place nothing is known.
 template <int Dim>
-double mean_spacing(VectorField<Dim> const& positions, Domain<Dim> const& domain) {
+Lengths lengths_of(VectorField<Dim> const& positions, Domain<Dim> const& domain, std::vector<BoxWall<Dim>> const& walls) {
+  Lengths lengths{.spacing = 0.0, .largest_coordinate = 0.0, .whole = 0.0};
   double volume = 1.0;
+  int axes = 0;
   for (int k = 0; k < Dim; ++k) {
-    double extent = domain.extent()[k];
-    if (!domain.periodic[static_cast<std::size_t>(k)] && !domain.is_turned()) {
-      auto const [low, high] = std::minmax_element(positions.component(k).begin(), positions.component(k).end());
-      if (*high - *low > 0.0) extent = *high - *low;
-    }
+    auto const [low, high] = std::minmax_element(positions.component(k).begin(), positions.component(k).end());
+    double const along = std::max({std::abs(*low), std::abs(*high), std::abs(domain.lower[k]), std::abs(domain.upper[k])});
+    lengths.largest_coordinate = std::max(lengths.largest_coordinate, along);
+    bool const has_box = domain.periodic[static_cast<std::size_t>(k)] || domain.is_turned();
+    double const extent = !has_box && *high - *low > 0.0 ? *high - *low : domain.extent()[k];
+    if (!(extent > 0.0)) continue;
     volume *= extent;
+    ++axes;
   }
-  return std::pow(volume / static_cast<double>(positions.size()), 1.0 / Dim);
+  lengths.whole = 2.0 * std::sqrt(static_cast<double>(Dim)) * lengths.largest_coordinate;
+  for (BoxWall<Dim> const& wall : walls) lengths.whole = std::max(lengths.whole, 2.0 * std::abs(wall.level));
+  if (axes > 0) lengths.spacing = std::pow(volume / static_cast<double>(positions.size()), 1.0 / axes);
+  if (!(lengths.spacing > 0.0)) lengths.spacing = lengths.whole > 0.0 ? lengths.whole : 1.0;
+  return lengths;
 }
 
 /// Calls block(begin, end, finder) for parts of the particles that together are all. Of several complaints that of the first
@@ -214,23 +225,23 @@ void find_cells(VectorField<Dim> const& positions, Domain<Dim> const& domain, st
                 Block const& block) {
   std::size_t const n = positions.size();
   if (n == 0) return;
-  double const spacing = mean_spacing(positions, domain);
-  double edge = grid_edge * spacing;
+  std::vector<BoxWall<Dim>> box_walls;
+  for (Wall<Dim> const& wall : walls)
+    box_walls.push_back({domain.to_box(wall.outward_normal), wall.point.dot(wall.outward_normal)});
+  Lengths const lengths = lengths_of(positions, domain, box_walls);
+  double edge = grid_edge * lengths.spacing;
   for (int k = 0; k < Dim; ++k) {
     if (domain.periodic[static_cast<std::size_t>(k)]) edge = std::min(edge, 0.5 * domain.extent()[k]);
   }
   CellGrid<Dim> const grid(positions, domain, edge);
   PlacesByCell<Dim> const places(grid);
-  std::vector<BoxWall<Dim>> box_walls;
-  for (Wall<Dim> const& wall : walls)
-    box_walls.push_back({domain.to_box(wall.outward_normal), wall.point.dot(wall.outward_normal)});
   std::mutex lock;
   std::optional<NoCell> first_complaint;
   for_each_block(
       n, threads,
       [&](std::size_t begin, std::size_t end) {
         try {
-          CellFinder<Dim> finder(places, box_walls, spacing);
+          CellFinder<Dim> finder(places, box_walls, lengths);
           block(begin, end, finder);
         } catch (NoCell const& error) {
           std::scoped_lock const hold(lock);

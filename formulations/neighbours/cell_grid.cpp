@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "formulations/basics/readable.hpp"
+
 namespace sphverify {
 
 template <int Dim>
@@ -26,8 +28,8 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
       double const period = highest - lowest;
       if (period < 2.0 * reach) {
         throw std::invalid_argument("periodic axis " + std::to_string(k) +
-                                    " is shorter than two supports: found " + std::to_string(period) +
-                                    ", expected at least " + std::to_string(2.0 * reach));
+                                    " is shorter than two supports: found " + readable(period) +
+                                    ", expected at least " + readable(2.0 * reach));
       }
     } else if (n > 0) {
       auto const along = [&](std::size_t i) { return turned_ ? domain.to_box(positions[i])[k] : x[i]; };

@@ -16,7 +16,7 @@ struct DummyWalls {
       .source = "Adami, Hu & Adams 2012, Eqs. 23, 27",
       .equation = "f~_w = sum_f f_f W_wf / sum_f W_wf over the fluid; then T_w = 2 T_B - T~ (or T~ - (d~ + d_w) F_B.n/K~), P_w = P~ "
                   "(or 2 P_B - P~), v_w = v~ + 2 (v_B - v~).n n, m_w = rho~ dx^D",
-      .remarks = "Momentum and energy are exact: walls give what their dummies exchange. The term of Adami et al. for gravity and for "
+      .remarks = "Momentum and energy are conserved: walls give what their dummies exchange. The term of Adami et al. for gravity and for "
                  "walls that accelerate, sum rho_f (g - a_w).r_wf W, is left out, and the gas slips. Masses follow the density, which "
                  "cannot be a sum over them."};
 
@@ -27,10 +27,8 @@ struct DummyWalls {
     for (int k = 0; k < Dim; ++k) along[static_cast<std::size_t>(k)] = places_along(s, k, support);
     std::vector<PlacedBehind<Dim>> dummies;
     std::array<std::size_t, Dim> at{};
-    double volume = 1.0;
-    for (int k = 0; k < Dim; ++k) volume *= along[static_cast<std::size_t>(k)].front().size;
     while (true) {
-      add(s, along, at, volume, dummies);
+      add(s, along, at, dummies);
       int k = Dim - 1;
       while (k >= 0 && ++at[static_cast<std::size_t>(k)] == along[static_cast<std::size_t>(k)].size()) at[static_cast<std::size_t>(k--)] = 0;
       if (k < 0) break;
@@ -54,7 +52,7 @@ struct DummyWalls {
     return -1;
   }
 
-  /// Those between the sides, which stay where they are, and those behind either wall, which go with it.
+  /// As many between the sides as at the start, wherever these are now; and those behind either wall, which go with it.
   template <int Dim>
   static std::vector<Place> places_along(WallSurroundings<Dim> const& s, int axis, double support) {
     double const count = std::max(1.0, std::round(s.domain.extent()[axis] / s.spacing));
@@ -67,20 +65,21 @@ struct DummyWalls {
     double const upper = above < 0 ? s.domain.upper[axis] : on(above);
     std::vector<Place> places;
     for (int n = 0; below >= 0 && n < layers; ++n) places.push_back({lower - (n + 0.5) * size, size, below});
-    double const first = std::ceil((lower - s.domain.lower[axis]) / size - 0.5 - 1e-9);
-    for (double x = s.domain.lower[axis] + (first + 0.5) * size; x < upper - 1e-9 * size; x += size) places.push_back({x, size, -1});
+    double const between = (upper - lower) / count;
+    for (int n = 0; n < static_cast<int>(count); ++n) places.push_back({lower + (n + 0.5) * between, between, -1});
     for (int n = 0; above >= 0 && n < layers; ++n) places.push_back({upper + (n + 0.5) * size, size, above});
     return places;
   }
 
   template <int Dim>
-  static void add(WallSurroundings<Dim> const& s, auto const& along, auto const& at, double volume,
-                  std::vector<PlacedBehind<Dim>>& dummies) {
+  static void add(WallSurroundings<Dim> const& s, auto const& along, auto const& at, std::vector<PlacedBehind<Dim>>& dummies) {
     Vector<Dim> x;
+    double volume = 1.0;
     bool is_behind = false;
     for (int k = 0; k < Dim; ++k) {
       Place const& place = along[static_cast<std::size_t>(k)][at[static_cast<std::size_t>(k)]];
       x[k] = place.coordinate;
+      volume *= place.size;
       is_behind = is_behind || place.wall >= 0;
     }
     if (!is_behind) return;

@@ -82,13 +82,19 @@ class Continuation {
     });
     return v;
   }
-  Vector<Dim> flux(Vector<Dim> F) const {
+  /// @param K asked for where a wall prescribes temperature
+  template <class Conductivity>
+  Vector<Dim> flux(Vector<Dim> F, Conductivity const& K) const {
     for_each_mirror([&](WallMirror<Dim> const& mirror, Wall<Dim> const& wall) {
       Vector<Dim> const& n = wall.outward_normal;
-      bool const turns_along_wall = wall.temperature || wall.heat_loss;
       double const normal = F.dot(n);
-      double const prescribed = wall.flux && !turns_along_wall ? wall.flux(mirror.foot, time_).dot(n) : 0.0;
-      F = turns_along_wall ? Vector<Dim>(2.0 * normal * n - F) : Vector<Dim>(F + 2.0 * (prescribed - normal) * n);
+      if (wall.temperature) {
+        F = 2.0 * (normal * n - K() * slope_along(mirror, wall)) - F;
+      } else if (wall.flux) {
+        F += 2.0 * (wall.flux(mirror.foot, time_).dot(n) - normal) * n;
+      } else if (!wall.heat_loss) {
+        F -= 2.0 * normal * n;
+      }
     });
     return F;
   }
@@ -107,6 +113,20 @@ class Continuation {
   }
 
  private:
+  /// The gradient of the temperature that a wall prescribes, along the wall, by central differences.
+  Vector<Dim> slope_along(WallMirror<Dim> const& mirror, Wall<Dim> const& wall) const {
+    double const step = 1e-4 * (mirror.inside + mirror.behind);
+    Vector<Dim> slope = Vector<Dim>::Zero();
+    for (int k = 0; k < Dim; ++k) {
+      Vector<Dim> along = Vector<Dim>::Unit(k);
+      along -= along.dot(wall.outward_normal) * wall.outward_normal;
+      if (along.norm() < 1e-12) continue;
+      double const rise = wall.temperature(mirror.foot + step * along, time_) - wall.temperature(mirror.foot - step * along, time_);
+      slope[k] = rise / (2.0 * step);
+    }
+    return slope;
+  }
+
   template <class Visit>
   void for_each_mirror(Visit const& visit) const {
     for (int k = 0; k < placed_.mirror_count; ++k) {
@@ -145,10 +165,11 @@ void fill_vector(WallParticles<Dim>& behind, Field field, Particles<Dim> const& 
   std::size_t const contacts = behind.pairs.rows();
   for (std::size_t k = 0; k < behind.placed.size(); ++k) {
     Continuation<Dim> const continued(behind.placed[k], walls, time);
-    Vector<Dim> const mean = Mean<Dim>(behind.placed[k], fluid).vector(field);
+    Mean<Dim> const means(behind.placed[k], fluid);
+    Vector<Dim> const mean = means.vector(field);
     out.set(contacts + k, field == Field::velocity ? continued.velocity(mean)
-                          : field == Field::flux   ? continued.flux(mean)
-                                                   : continued.reflected(mean));
+                          : field == Field::flux ? continued.flux(mean, [&] { return means.scalar(Field::conductivity); })
+                                                 : continued.reflected(mean));
   }
 }
 

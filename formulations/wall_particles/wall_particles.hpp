@@ -70,8 +70,8 @@ std::vector<WallParticles<Dim>> stand_behind_walls(std::vector<PlacedBehind<Dim>
 ///           is; else T
 ///   P       2 P_B - P where pressure is prescribed; else P
 ///   v       2 v_B.n - v.n along the normal where velocity is prescribed: the gas slips; else v
-///   F       as the gradient of such a T has it: its part along the wall turns round where temperature is prescribed; along the
-///           normal 2 F_B.n - F.n where flux is, the other way round where neither is
+///   F       as -K times the gradient of such a T is: along the wall -2 K grad T_B - F where temperature is prescribed; along the
+///           normal 2 F_B.n - F.n where flux is, the other way round where nothing is
 ///   pass_.. what a reflection makes of a number, a vector or a tensor
 ///   other   the mean
 ///

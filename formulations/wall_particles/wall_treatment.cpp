@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "formulations/basics/readable.hpp"
 #include "formulations/wall_particles/all.hpp"
 
 namespace sphverify {
@@ -42,8 +43,8 @@ void require_room_between_walls(std::vector<Wall<Dim>> const& walls, double supp
       if (walls[a].outward_normal.dot(walls[b].outward_normal) > -1.0 + 1e-12) continue;
       double const apart = walls[a].distance(walls[b].point);
       if (apart >= support) continue;
-      throw std::invalid_argument("walls " + std::to_string(a) + " and " + std::to_string(b) + " are " + std::to_string(apart) +
-                                  " apart, less than the support of " + std::to_string(support) +
+      throw std::invalid_argument("walls " + std::to_string(a) + " and " + std::to_string(b) + " are " + readable(apart) +
+                                  " apart, less than the support of " + readable(support) +
                                   ": what stands behind one would be seen through the other");
     }
   }

@@ -24,6 +24,7 @@ struct WallSurroundings {
 struct WallTreatmentInfo {
   std::string_view id;  ///< as a formulation's `walls` names it
   std::string_view title, source, equation, remarks;
+  bool masses_of_sources = false;  ///< what it places has no volume of its own: a density may be a sum over it
 };
 
 /// A treatment as a program knows it; wall_treatment_part<Type>() makes it of a header's struct, which has a constexpr `info`

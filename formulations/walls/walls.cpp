@@ -6,6 +6,7 @@
 #include <string>
 
 #include "formulations/basics/expects.hpp"
+#include "formulations/basics/readable.hpp"
 #include "formulations/basics/square.hpp"
 #include "formulations/walls/finite_face.hpp"
 #include "formulations/walls/wall_heat_balance.hpp"
@@ -136,7 +137,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
     double const d = wall.distance(positions[i]);
     if (d <= 0.0) {
       throw std::invalid_argument("particle " + std::to_string(i) +
-                                  " lies on or outside a wall: its distance is " + std::to_string(d) +
+                                  " lies on or outside a wall: its distance is " + readable(d) +
                                   ", expected a positive one");
     }
     double const h = smoothing_length(i);

@@ -68,7 +68,7 @@ Json describe_scheme(SchemeInfo const& s) {
           {"wall_values", boundary_names(wall_values_read(s))},
           {"passes", passes},
           {"conserves", conserves},
-          {"parameters", Json::array({"walls [on]: on, or off for the control without wall terms"})},
+          {"parameters", Json::array({"walls [on]: on; off, the control without wall terms; or what stands behind them in their place (sphverify list walls)"})},
           {"work_partner", s.work_partner.empty() ? Json(nullptr) : Json(s.work_partner)},
           {"remarks", s.remarks}};
 }

@@ -8,6 +8,7 @@
 
 #include "harness/gate/measure.hpp"
 #include "harness/gate/select.hpp"
+#include "harness/scene/choices.hpp"
 #include "reports/run_statuses.hpp"
 
 namespace sphverify {
@@ -94,7 +95,7 @@ FormulationMatch read_formulation_match(Node const& node) {
     return found->is_null() ? "" : found->string();
   };
   FormulationMatch match{node.at("id").string(), partner("work"), partner("conduction"), {}};
-  if (auto const walls = node.find("walls")) match.walls = WallChoice(walls->string());
+  if (auto const walls = node.find("walls")) match.walls = WallChoice(walls->word(wall_words()));
   return match;
 }
 
@@ -164,7 +165,7 @@ Select read_select(Node const& node) {
       if (match.walls) walls->complain("this key either here or in formulation");
     }
     select.walls.clear();
-    for (Node const& one : walls->one_or_many()) select.walls.push_back(WallChoice(one.string()));
+    for (Node const& one : walls->one_or_many()) select.walls.push_back(WallChoice(one.word(wall_words())));
   }
   return select;
 }

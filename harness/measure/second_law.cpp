@@ -162,6 +162,17 @@ void SecondLawWatch<Dim>::watch_extrema(double time, double const* temperature) 
   for (std::size_t i = 0; i < n; ++i) {
     for (std::uint32_t const j : geometry.neighbours.row(i)) around[i].include(temperature[j]);
   }
+  // Behind a wall it feels what is made of others of the fluid.
+  for (std::size_t w = 0; w < geometry.behind.size(); ++w) {
+    WallParticles<Dim> const& behind = geometry.behind[w];
+    std::size_t const contacts = behind.pairs.rows();
+    for (std::size_t c = 0; c < contacts; ++c) {
+      for (std::uint32_t const k : behind.pairs.row(c)) {
+        for (auto const& [source, weight] : behind.placed[k - contacts].sources)
+          around[geometry.contacts[w].particle[c]].include(temperature[source]);
+      }
+    }
+  }
   // Forms of several passes feel their neighbours' neighbours.
   for (int pass = 1; pass < supports_seen(scene_.scheme()); ++pass) {
     std::vector<Range> const nearer = around;

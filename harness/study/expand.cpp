@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "formulations/rate_operator.hpp"
+#include "formulations/wall_particles/wall_treatment.hpp"
 #include "harness/codes/external_code.hpp"
 #include "harness/study/memory.hpp"
 #include "harness/study/wall_facts.hpp"
@@ -71,6 +72,9 @@ std::string lacks(CaseInfo const& info, AnyProblem const& problem, std::string c
       problem);
 }
 
+/// Of Voronoi pair weights, which a study combines with the first of its kernels and h/dx alone.
+constexpr char const* no_smoothing_length = ": Voronoi pair weights have no smoothing length: the first of a study stands for all";
+
 /// Why a form cannot take pair weights that are not the kernel's; empty if it can.
 std::string without_pair_weight(std::string const& id) {
   SchemeInfo const* const scheme = find_scheme(id);
@@ -87,12 +91,15 @@ std::string without_wall_particles(AnyProblem const& problem, FormulationChoice 
   std::string const what = "walls " + formulation.walls.word;
   if (!has_walls(problem)) return what + " change nothing where there are no walls";
   if (d.pair_weight == "voronoi") return "Voronoi cells end at walls: nothing that stands behind them is seen";
-  if (d.density == "normalised")
-    return "normalised density divides by the kernel's part inside: with " + what + " take summation, which counts what is behind";
-  if (d.density == "summation" && formulation.walls.word != "mirror")
+  bool const sums = find_wall_treatment(formulation.walls.word)->info->masses_of_sources;
+  if (d.density == "normalised") {
+    std::string const instead = sums ? "summation, which counts what is behind" : "given, continuity or voronoi";
+    return "normalised density divides by the kernel's part inside: with " + what + " take " + instead;
+  }
+  if (d.density == "summation" && !sums)
     return what + " take their masses from the density, which cannot be a sum over them: take given, continuity or voronoi";
-  if (d.density == "summation" && d.smoothing == "adaptive")
-    return "adaptive smoothing solves for densities that are sums over the fluid: with " + what + " take continuity";
+  if (d.smoothing == "adaptive")
+    return "adaptive smoothing sees images by two smoothing lengths, walls by one: with " + what + " take uniform";
   if (d.wall_motion == "mass") return what + " have no wall that stands by the mass of its nearest particle";
   for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
     if (id.starts_with("plugin/")) return id + " has wall terms of its own, and sees nothing behind walls";
@@ -137,9 +144,9 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
   if (std::string reason = without_cells(problem, d); !reason.empty()) return reason;
   if (d.pair_weight == "voronoi") {
     // The kernel is left in what densities and closures sum, and viscosity has its length: one of each stands for all.
-    std::string const no_length = " changes nothing of Voronoi pair weights: they know no smoothing length";
-    if (d.kernel != study.kernels.front()) return "kernel " + d.kernel + no_length;
-    if (d.smoothing_ratio != study.smoothing_ratios.front()) return fmt::format("h/dx {:g}", d.smoothing_ratio) + no_length;
+    if (d.kernel != study.kernels.front()) return "kernel " + d.kernel + no_smoothing_length;
+    if (d.smoothing_ratio != study.smoothing_ratios.front())
+      return fmt::format("h/dx {:g}", d.smoothing_ratio) + no_smoothing_length;
     if (d.face_weight != study.face_weights.front())
       return "face weight " + d.face_weight + " changes nothing beside Voronoi pair weights: walls have faces of cells";
     for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
@@ -150,7 +157,8 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
   if (!formulation.walls.are_terms() && d.face_weight != study.face_weights.front()) {
     return "face weight " + d.face_weight + " changes nothing without wall terms";
   }
-  if (!formulation.walls.are_terms() && d.closure != study.closures.front()) {
+  bool const closes = formulation.walls && (formulation.walls.are_terms() || has_free_wall(problem));
+  if (!closes && d.closure != study.closures.front()) {
     return "closure " + d.closure + " changes nothing without wall terms";
   }
   if (is_external(formulation.id)) return "";
@@ -306,7 +314,7 @@ Expansion expand(Study const& study) {
           for (double const exponent : study.smoothing_exponents) {
             if (d.pair_weight == "voronoi" && exponent != study.smoothing_exponents.front()) {
               skip_once({info.id, label,
-                         fmt::format("an exponent of h/dx of {:g} changes nothing of Voronoi pair weights: they know no smoothing length", exponent)});
+                         fmt::format("exponent {:g}", exponent) + no_smoothing_length});
               continue;
             }
             for (int const resolution : study.resolutions) {

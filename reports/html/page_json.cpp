@@ -105,7 +105,7 @@ void put_formulation(Json& json, FormulationChoice const& f, std::string const& 
   json["formulation"] = word(f.id);
   json["work"] = f.work.empty() ? Json(nullptr) : word(f.work);
   json["conduction"] = f.conduction.empty() ? Json(nullptr) : word(f.conduction);
-  json["walls"] = static_cast<bool>(f.walls);
+  json["walls"] = f.walls.word;
 }
 
 }  // namespace sphverify::page

@@ -306,7 +306,7 @@ function nameFormulations(series) {
   }
   for (const s of series) {
     s.form = s.longForm;
-    s.name = s.walls ? s.form : `${s.form} (walls off)`;
+    s.name = s.walls === "on" ? s.form : `${s.form} (walls ${s.walls})`;
   }
 }
 
@@ -326,18 +326,20 @@ function settingText(series, keys) {
 
 // Colour and symbol stand for the formulation, dashes and hollow symbols for the control without wall terms.
 function stylesOf(series) {
-  const forms = [...new Set(series.map((s) => s.form))];
+  // Without wall terms it is the control of its form; images or dummies make it another one.
+  const formOf = (s) => (s.walls === "off" ? s.form : s.name);
+  const forms = [...new Set(series.map(formOf))];
   const symbols = ["circle", "square", "triangle", "diamond", "star", "wye", "triangle2", "hexagon"];
   return new Map(
     series.map((s) => {
-      const k = forms.indexOf(s.form);
+      const k = forms.indexOf(formOf(s));
       return [
         s.name,
         {
           colour: `var(--series-${(k % 8) + 1})`,
           symbol: symbols[(k + Math.floor(k / 8)) % symbols.length],
-          dash: s.walls ? "none" : "5 4",
-          hollow: !s.walls,
+          dash: s.walls === "off" ? "5 4" : "none",
+          hollow: s.walls === "off",
         },
       ];
     }),

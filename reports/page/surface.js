@@ -8,7 +8,7 @@ function surfacesOf(view) {
   const { choice, state } = view;
   // Controls come last.
   const own = d3
-    .sort(view.doc.surfaces, (s) => !s.walls)
+    .sort(view.doc.surfaces, (s) => s.walls === "off")
     .filter(
       (s) =>
         s.caseKey === view.one.key &&

@@ -105,6 +105,8 @@ std::vector<LegendEntry> series_legend() {
   return {
       {"*", "best of its column"},
       {"(walls off)", "without wall terms"},
+      {"(walls mirror)", "images of the particles behind walls in their place"},
+      {"(walls dummy)", "fixed layers with extrapolated values in their place"},
       {"(N/25)^0.5", "so h/dx grows with the resolution N"},
       {"1.2±0.1", "order with 95% interval"},
       {"1.2 (1.0-1.9)", "the same, its ends uneven"},

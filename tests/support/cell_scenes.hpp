@@ -79,6 +79,18 @@ std::vector<CellScene<Dim>> cell_scenes() {
       for (std::size_t i = 0; i < anywhere.size(); ++i)
         anywhere.set(i, domain.to_space(domain.lower + random.vector<Dim>(0.001, 0.999).cwiseProduct(domain.extent())));
       add("random", anywhere);
+      if (Dim > 1 && sides == Sides::walls) {
+        // Twenty at one distance from each of a few places: as many cells meet there in one corner, but for rounding.
+        VectorField<Dim> shells(6 * 20);
+        for (std::size_t i = 0; i < shells.size(); ++i) {
+          Vector<Dim> centre;
+          for (int k = 0; k < Dim; ++k) centre[k] = 0.2 + 0.6 * static_cast<double>((i / 20 >> k) & 1u) + 0.02 * k;
+          if (i / 20 > 3) centre[0] = 0.5;
+          Vector<Dim> const direction = random.vector<Dim>(-1.0, 1.0).normalized();
+          shells.set(i, domain.to_space(domain.lower + (centre + 0.13 * direction).cwiseProduct(Vector<Dim>::Constant(domain.extent().minCoeff()))));
+        }
+        add("shells", shells);
+      }
     }
   }
   return scenes;

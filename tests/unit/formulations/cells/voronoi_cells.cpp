@@ -212,6 +212,34 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(a_lattice_far_from_the_origin_or_of_odd_size_keeps
   }
 }
 
+/// What is nearer to each other than rounding lets faces be told apart is off by as much as it is near.
+BOOST_AUTO_TEST_CASE(a_close_pair_closes_as_far_as_coordinates_tell_it_apart) {
+  Domain<3> const box{.lower = Vector<3>::Zero(), .upper = Vector<3>::Ones()};
+  for (double const apart : {1e-3, 1e-6, 1e-9}) {
+    VectorField<3> positions = jittered(box, 5, 0.4, 6).positions;
+    positions.set(60, positions[61] + apart * Vector<3>(0.6, 0.0, 0.8));
+    VoronoiCells<3> const cells = find_voronoi_cells(positions, box, walls_of(box), 1);
+    double volume = 0.0;
+    for (double const one : cells.volume) volume += one;
+    BOOST_TEST(std::abs(volume - 1.0) < 1e-12);
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      Vector<3> sum = Vector<3>::Zero();
+      double surface = 0.0;
+      for (std::size_t k = cells.faces.first[i]; k < cells.faces.first[i + 1]; ++k) {
+        Vector<3> const r = positions[cells.faces.neighbour[k]] - positions[i];
+        sum += cells.area[k] * r.normalized();
+        surface += cells.area[k];
+      }
+      for (std::size_t w = 0; w < cells.walls.size(); ++w) {
+        for (std::size_t c = 0; c < cells.walls[w].particle.size(); ++c) {
+          if (cells.walls[w].particle[c] == i) sum += cells.walls[w].area[c] * walls_of(box)[w].outward_normal;
+        }
+      }
+      BOOST_TEST(sum.norm() < std::max(1e-13, 1e-15 / apart) * surface);
+    }
+  }
+}
+
 /// A particle in the middle of many on a sphere has as many faces; the planes outgrow their first table.
 BOOST_AUTO_TEST_CASE(a_cell_may_have_hundreds_of_faces) {
   Domain<3> const box{.lower = Vector<3>::Constant(-2.0), .upper = Vector<3>::Constant(2.0)};

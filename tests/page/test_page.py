@@ -53,6 +53,16 @@ GAS = {
     "measure": ["error", "conservation", "cost", "profile", "history"],
 }
 
+# One form with everything that may stand for walls.
+WALLED = {
+    "schema": "sphverify-study/1",
+    "name": "walled",
+    "cases": ["conduction/slab-dirichlet"],
+    "formulations": [{"id": "conduction/brookshaw", "walls": walls} for walls in ("on", "off", "mirror", "dummy")],
+    "resolution": [10, 20, 40],
+    "measure": ["error", "cost"],
+}
+
 
 RATES = {
     "schema": "sphverify-study/1",
@@ -311,6 +321,8 @@ class PageTest(BrowserTest):
                 target |= {"low_seconds": None, "high_seconds": None, "is_bound": False}
         maker.write("settings.json", settings)
         maker.succeed("report", cls.place / "settings.json", "-o", cls.place / "settings.html")
+        maker.study(WALLED, "walled.json")
+        maker.succeed("report", cls.place / "walled.json", "-o", cls.place / "walled.html")
         maker.study(RATES, "rates.json")
         maker.succeed("report", cls.place / "rates.json", "-o", cls.place / "rates.html")
         cls.stable = maker.study(STABLE, "stable.json")
@@ -1206,6 +1218,24 @@ class PageTest(BrowserTest):
         # What is drawn anew does not take the focus away.
         focused = self.script("return document.activeElement.closest('label').textContent")
         self.assertEqual(focused, "brookshaw")
+
+    def test_what_stands_for_walls_tells_forms_apart(self):
+        self.open("walled.html")
+        names = ["brookshaw", "brookshaw (walls dummy)", "brookshaw (walls mirror)", "brookshaw (walls off)"]
+        labels = self.driver.find_elements(By.XPATH, "//fieldset//label/span")
+        self.assertEqual(sorted(label.text for label in labels if label.text), names)
+        # A curve each, of which only the control's is dashed and only it shares a colour.
+        marks = self.script("""
+          return [...document.querySelectorAll('fieldset label')].map((label) => {
+            const line = label.querySelector('svg line, svg path');
+            const style = getComputedStyle(line);
+            return [label.querySelector('span').textContent, style.stroke, style.strokeDasharray];
+          });""")
+        strokes = {name: (stroke, dash) for name, stroke, dash in marks}
+        self.assertEqual(len({stroke for stroke, _ in strokes.values()}), 3)
+        self.assertEqual(strokes["brookshaw"][0], strokes["brookshaw (walls off)"][0])
+        self.assertEqual({name for name, (_, dash) in strokes.items() if dash not in ("none", "")}, {"brookshaw (walls off)"})
+        self.assert_silent()
 
     def saved(self, suffix):
         for _ in range(100):

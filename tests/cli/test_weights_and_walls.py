@@ -85,6 +85,12 @@ class WeightsAndWalls(ProgramTest):
         path = self.write("results.json", results)
         for index, run in enumerate(results["runs"]):
             self.assertEqual(strict_json(self.succeed("repeat", path, str(index)))["errors"], run["errors"])
+        # In two dimensions masses are others; what is read back has them.
+        plain, of_cells = (self.results("conduction/square", HEAT, 8, {"layout": JITTER | {"seeds": [1]} | masses})
+                           for masses in ({}, {"masses": "voronoi"}))  # fmt: skip
+        self.assertNotEqual(plain["runs"][0]["errors"], of_cells["runs"][0]["errors"])
+        again = strict_json(self.succeed("repeat", self.write("cells.json", of_cells), "0"))
+        self.assertEqual(again["errors"], of_cells["runs"][0]["errors"])
         # On a lattice in one dimension all of them are the same numbers.
         for (weight, density, layout, level), error in errors.items():
             same = errors[weight, "given", '"lattice"', level]

@@ -141,6 +141,37 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(values_are_shepards_means_of_the_fluid_continued, 
   BOOST_TEST(looked_at > 3u);
 }
 
+/// Where walls have the temperatures of a linear field, a dummy has its sources' mean and twice the way into each wall, times the
+/// slope; in corners too, whatever the order of the walls.
+BOOST_AUTO_TEST_CASE(dummies_beyond_corners_go_through_one_wall_after_the_other) {
+  Layered<2> scene(Sides::walls, 0.2);
+  Vector<2> const slope(1.5, -0.7);
+  auto const T = [slope](Vector<2> const& x) { return 4.0 + slope.dot(x); };
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) scene.particles.scalar(Field::temperature)[i] = T(scene.particles.positions()[i]);
+  for (Wall<2>& wall : scene.geometry.walls) wall.temperature = [T](Vector<2> const& foot, double) { return T(foot); };
+  scene.stand();
+  std::size_t in_corners = 0;
+  for (std::size_t w = 0; w < scene.geometry.walls.size(); ++w) {
+    WallParticles<2>& behind = scene.geometry.behind[w];
+    fill_wall_particles(behind, scene.geometry.contacts[w], scene.geometry.walls, scene.particles, {Field::temperature}, 0.0);
+    for (std::size_t k = 0; k < behind.placed.size(); ++k) {
+      if (behind.placed[k].mirror_count != 2) continue;
+      ++in_corners;
+      std::size_t const at = scene.geometry.contacts[w].size() + k;
+      Vector<2> const x = behind.particles.positions()[at];
+      Vector<2> mean = Vector<2>::Zero();
+      for (auto const& [j, weight] : behind.placed[k].sources) mean += weight * scene.particles.positions()[j];
+      double expected = T(mean);
+      for (int axis = 0; axis < 2; ++axis) {
+        double const wall = x[axis] < scene.domain.lower[axis] ? scene.domain.lower[axis] : scene.domain.upper[axis];
+        expected += 2.0 * slope[axis] * (x[axis] - wall);
+      }
+      BOOST_TEST(std::abs(behind.particles.scalar(Field::temperature)[at] - expected) < 1e-12);
+    }
+  }
+  BOOST_TEST(in_corners >= 4u);
+}
+
 /// A wall that has moved takes its layers along.
 BOOST_AUTO_TEST_CASE(layers_go_with_their_wall) {
   Layered<1> scene(Sides::walls, 0.0);

@@ -100,11 +100,17 @@ double largest(std::vector<double> const& values, std::size_t count) {
 /// Every scheme, whatever its passes: with images behind the walls it gives what it gives without walls.
 BOOST_AUTO_TEST_CASE_TEMPLATE(mirrors_are_a_periodic_box_of_reflections, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (bool const odd : {false, true}) {
+  enum class Given { temperature, flux, nothing };
+  for (Given const given : {Given::temperature, Given::flux, Given::nothing}) {
+    bool const odd = given == Given::temperature;
     for (SchemeInfo const* const info : all_scheme_infos()) {
       // What is not linear in temperature does not turn round with it; a gas has no walls of temperature.
       if (odd && info->rate != Rate::conduction_heating) continue;
       Mirrored<Dim> scene(odd);
+      if (given == Given::nothing) {
+        for (Wall<Dim>& wall : scene.geometry.walls) wall.flux = {};
+        for (WallContacts<Dim>& contacts : scene.geometry.contacts) contacts.prescribes_flux_only = false;
+      }
       auto const scheme = make_rate_operator<Dim>(info->id);
       scene.particles.allocate(needed_fields(*info));
       scene.all.allocate(needed_fields(*info));

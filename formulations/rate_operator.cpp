@@ -1,12 +1,11 @@
 #include "formulations/rate_operator.hpp"
 
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <tuple>
 
 #include "formulations/all.hpp"
+#include "formulations/basics/readable.hpp"
 #include "formulations/density/continuity.hpp"
 #include "formulations/scheme_operator.hpp"
 
@@ -16,11 +15,9 @@ void require_non_negative(SchemeInfo const& scheme, std::string_view quantity, s
                           std::optional<std::size_t> wall) {
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (values[i] >= 0.0 || std::isnan(values[i])) continue;
-    std::array<char, 32> readable{};
-    std::snprintf(readable.data(), readable.size(), "%.3g", values[i]);
     throw UndefinedRate(std::string(scheme.id) + " is undefined for negative " + std::string(quantity) + ": " +
                         (wall ? "wall " + std::to_string(*wall) : "particle " + std::to_string(i)) + " has " +
-                        readable.data());
+                        readable(values[i], 3));
   }
 }
 

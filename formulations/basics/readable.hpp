@@ -6,10 +6,10 @@
 
 namespace sphverify {
 
-/// A number for messages, of any size: six digits.
-inline std::string readable(double number) {
+/// A number for messages, of any size.
+inline std::string readable(double number, int digits = 6) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.6g", number);
+  std::snprintf(text.data(), text.size(), "%.*g", digits, number);
   return text.data();
 }
 

@@ -40,7 +40,11 @@ template <int Dim>
 void require_room_between_walls(std::vector<Wall<Dim>> const& walls, double support) {
   for (std::size_t a = 0; a < walls.size(); ++a) {
     for (std::size_t b = a + 1; b < walls.size(); ++b) {
-      if (walls[a].outward_normal.dot(walls[b].outward_normal) > -1.0 + 1e-12) continue;
+      double const cosine = walls[a].outward_normal.dot(walls[b].outward_normal);
+      if (std::abs(cosine) > 1e-12 && std::abs(cosine) < 1.0 - 1e-12)
+        throw std::invalid_argument("walls " + std::to_string(a) + " and " + std::to_string(b) +
+                                    " are oblique to each other: what stands behind walls is for boxes");
+      if (cosine > 0.0 || std::abs(cosine) < 0.5) continue;
       double const apart = walls[a].distance(walls[b].point);
       if (apart >= support) continue;
       throw std::invalid_argument("walls " + std::to_string(a) + " and " + std::to_string(b) + " are " + readable(apart) +

@@ -44,16 +44,16 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   use(!no_time, "integrator", d.integrator);
   use(is_gas, "viscosity", d.viscosity);
   use(is_gas, "smoothing", d.smoothing);
-  bool const face_weighs = f.walls.are_terms() && walls && d.pair_weight == "kernel";
+  bool const has_contacts = walls && (f.walls.are_terms() || has_free_wall(problem));
+  bool const face_weighs = has_contacts && d.pair_weight == "kernel";
   use(true, "pair_weight", d.pair_weight);
   use(face_weighs, "face_weight", d.face_weight);
-  bool const closes = walls && (f.walls.are_terms() || has_free_wall(problem));
-  use(closes, "closure", d.closure);
+  use(has_contacts, "closure", d.closure);
   return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}|{}", case_index, run.resolution,
                      f.id, f.work, f.conduction, walls ? f.walls.word : "", d.kernel, d.density,
                      drives_ratio ? run.smoothing_ratio / d.smoothing_ratio : run.smoothing_ratio,
                      d.layout.id, drives_amplitude ? 0.0 : d.layout.amplitude, d.layout.seed,
-                     d.layout.voronoi_masses, d.pair_weight, face_weighs ? d.face_weight : "", closes ? d.closure : "", no_time ? "" : d.integrator,
+                     d.layout.voronoi_masses, d.pair_weight, face_weighs ? d.face_weight : "", has_contacts ? d.closure : "", no_time ? "" : d.integrator,
                      d.smoothing, walls && has_free_wall(problem) ? d.wall_motion : "", text_of(d.viscosity));
 }
 

@@ -146,6 +146,19 @@ class WeightsAndWalls(ProgramTest):
             momentum = run["conservation"]["momentum"]
             self.assertLess(max(abs(one) for one in momentum["pair_drift"]), 1e-10)
 
+    def test_a_gas_that_conducts_heat_takes_them_too(self):
+        case = {"id": "coupled/hot-wall", "parameters": {"final_time": 0.01}}
+        forms = [{"id": GAS, "conduction": HEAT, "walls": walls} for walls in ("on", "mirror", "dummy")]
+        results = self.results(case, forms, 20, {"pair_weight": ["kernel", "voronoi"], "integrator": "leapfrog"})
+        self.assertEqual(len(results["runs"]), 4)
+        plain = next(r for r in results["runs"] if r["walls"] == "on" and r["discretisation"]["pair_weight"] == "kernel")
+        for run in results["runs"]:
+            self.assertEqual(run["status"], "ok")
+            self.assertLess(abs(run["conservation"]["energy"]["pair_drift"]), 1e-10)
+            # A step that the conductances allow: nothing grows.
+            error, bound = (r["errors"]["temperature"]["all"]["l2"] for r in (run, plain))
+            self.assertLess(error, 1.5 * bound)
+
     def test_gates_and_tables_know_them(self):
         results = self.results(SLAB, [HEAT, behind("mirror"), behind("dummy")], [8, 16], {"pair_weight": ["kernel", "voronoi"]})
         path = self.write("results.json", results)

@@ -353,6 +353,9 @@ BOOST_AUTO_TEST_CASE(walls_closer_than_the_support_are_refused) {
   Domain<2> const domain{.lower = Vector<2>::Zero(), .upper = {1.0, 0.2}};
   auto const walls = walls_of(domain);
   require_room_between_walls(walls, 0.2);
+  auto oblique = walls;
+  oblique[2].outward_normal = Vector<2>(0.6, -0.8);
+  BOOST_CHECK_THROW(require_room_between_walls(oblique, 0.01), std::invalid_argument);
   try {
     require_room_between_walls(walls, 0.21);
     BOOST_TEST(false);

@@ -4,6 +4,10 @@
 
 #include "formulations/conduction/brookshaw.hpp"
 #include "formulations/conduction/campbell_flux.hpp"
+#include "formulations/conduction/cleary_monaghan.hpp"
+#include "formulations/conduction/corrected_flux.hpp"
+#include "formulations/conduction/gamma_brookshaw.hpp"
+#include "formulations/conduction/gmls.hpp"
 #include "formulations/conduction/lucy_flux.hpp"
 #include "formulations/momentum/direct_gradient.hpp"
 #include "formulations/momentum/p_rho2.hpp"
@@ -17,6 +21,7 @@ namespace sphverify {
 /// The one list of schemes: the command line, the contract tests, the documentation and the reports come from it.
 using AllSchemes = std::tuple<PressureOverDensitySquared, SquareRootOfPressure, DirectGradient,  //
                               TotalEnergyWork, InternalEnergyWork, SquareRootOfPressureWork,     //
-                              Brookshaw, LucyFlux, CampbellFlux>;
+                              Brookshaw, LucyFlux, CampbellFlux,                                 //
+                              ClearyMonaghan, GammaBrookshaw, Gmls, CorrectedFlux>;
 
 }  // namespace sphverify

@@ -3,21 +3,15 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <stdexcept>
 #include <string_view>
 #include <vector>
 
+#include "formulations/basics/undefined_rate.hpp"
 #include "formulations/pair_geometry.hpp"
 #include "formulations/scheme.hpp"
 #include "formulations/sweep/pair_sweep.hpp"
 
 namespace sphverify {
-
-/// A scheme met a value for which it is not defined, such as the square root of a negative pressure.
-class UndefinedRate : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Counted work, beside the clock.
 struct WorkCount {
@@ -52,8 +46,8 @@ class RateOperator {
                         WorkCount& work) = 0;
 
   /// Promises that from now on nothing changes but temperatures: where the form is linear in these its pairs
-  /// are computed once. Does nothing for forms that are not.
-  virtual void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) = 0;
+  /// and its first passes are computed once. Does nothing for forms that are not. Throws UndefinedRate.
+  virtual void freeze(Particles<Dim>& particles, PairGeometry<Dim>& geometry, int threads) = 0;
   virtual std::size_t bytes() const = 0;
 
   /// Sum over particles of m_i times the wall's part of the rate in the last evaluation, per wall: the power

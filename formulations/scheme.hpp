@@ -112,6 +112,11 @@ struct SchemeInfo {
   Claims claims = {};
   int supports_seen = 0;  ///< how far it sees, in supports of the kernel; 0: as many as it has passes
   bool control = false;  ///< a yardstick beside the others: shown, never what a comparison recommends
+  /// What its wall terms give is what crosses the wall. Where pairs conserve nothing that can be no more than a part of it: then
+  /// what crosses a wall is known by what the wall prescribes, or closes, alone.
+  bool wall_terms_are_exchange = true;
+  bool least_squares = false;   ///< its `W.radial()` are not the kernel's but QuadraticWeights
+  bool needs_partners = false;  ///< TooFewPartners where a particle sees too few others, or all of them in one direction
 };
 
 /// Its own pass and those before it.
@@ -194,6 +199,14 @@ constexpr bool feeds_its_closures(SchemeInfo const& scheme) {
   for (PassInfo const& pass : scheme.first_passes) closed = closed | pass.boundary;
   return known.contains(closure_fields(wall_values_read(scheme))) &&
          (!closed.contains(BoundaryValue::flux) || known.contains(Field::flux));
+}
+
+/// Why it cannot take pair weights that are given instead of the kernel's; empty if it can.
+constexpr std::string_view why_no_pair_weights(SchemeInfo const& scheme) {
+  if (scheme.least_squares) return "brings pair weights of its own along";
+  KernelWeightSet kernel = scheme.kernel;
+  for (PassInfo const& pass : scheme.first_passes) kernel = kernel | pass.kernel;
+  return kernel.contains(KernelWeight::value) ? "reads the kernel's value, which Voronoi pair weights do not have" : "";
 }
 
 /// What can be listed and swept as a scheme: a struct with a constexpr `info`; with `pair(i, j, W)` and `wall(i, B)`; and, in

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "formulations/basics/parallel.hpp"
+#include "formulations/least_squares/quadratic_weights.hpp"
 #include "formulations/rate_operator.hpp"
 #include "formulations/sweep/loops.hpp"
 #include "formulations/walls/sweep_wall.hpp"
@@ -33,24 +35,23 @@ class SchemeOperator final : public RateOperator<Dim> {
   void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
                   double time, int threads, PairSweep<Dim>& sweep) override {
     with_pass(pass, [&]<std::size_t n>() {
-      for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-        fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
-                             wall_values<n>(geometry.contacts[w]), closure, time);
+      if (n < last && is_frozen_) return;
+      fill_boundaries<n>(particles, geometry, closure, time);
+      if constexpr (has_own_weights) {
+        PairGeometry<Dim>& weighted = weights_.on(particles, geometry, threads);
+        fill_boundaries<n>(particles, weighted, closure, time);
+        PairSweep<Dim> own(weighted.neighbours, weighted.domain, threads);
+        add_pass<n>(particles, weighted, time, threads, own);
+        if (!own.empty()) own.run(particles);
+      } else {
+        add_pass<n>(particles, geometry, time, threads, sweep);
       }
-      for (std::size_t w = 0; w < geometry.behind.size(); ++w) sweep_behind<n>(geometry, w, particles, time, threads);
-      if constexpr (n == last) {
-        check(particles, geometry);
-        if constexpr (Scheme::info.difference_form) {
-          if (!conductance_.empty()) return conduct(particles, geometry.neighbours, threads);
-        }
-      }
-      sweep.add(loops_of_scheme<Scheme, Dim>().passes[n], reads_of_pass<Scheme, n>(), Pass<n>::info.kernel,
-                output<Pass<n>>(particles));
     });
   }
 
-  void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& geometry,
-                WorkCount& work) override {
+  void end_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim> const& given, WorkCount& work) override {
+    if (pass < static_cast<int>(last) && is_frozen_) return;
+    PairGeometry<Dim> const& geometry = seen_last(given);
     work.pair_interactions += geometry.neighbours.pairs();
     for (auto const& contacts : geometry.contacts) work.wall_interactions += contacts.size();
     for (auto const& behind : geometry.behind) work.wall_interactions += behind.pairs.pairs();
@@ -69,14 +70,28 @@ class SchemeOperator final : public RateOperator<Dim> {
     });
   }
 
-  void freeze(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads) override {
+  void freeze(Particles<Dim>& particles, PairGeometry<Dim>& geometry, int threads) override {
     if constexpr (Scheme::info.difference_form) {
-      PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
+      static_assert(!first_reads.contains(Field::temperature), "a difference form's first passes know of no temperature");
+      WorkCount uncounted;
+      for (int pass = 0; pass < static_cast<int>(last); ++pass) {
+        PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
+        this->begin_pass(pass, particles, geometry, Closure::interpolated, 0.0, threads, sweep);
+        if (!sweep.empty()) sweep.run(particles);
+        this->end_pass(pass, particles, geometry, uncounted);
+      }
+      PairGeometry<Dim> const* seen = &geometry;
+      if constexpr (has_own_weights) seen = &weights_.on(particles, geometry, threads);
+      PairSweep<Dim> sweep(seen->neighbours, seen->domain, threads);
       conductance_ = sweep.conductances(loops_of_scheme<Scheme, Dim>().conductance, reads_of_pass<Scheme, last>(), particles);
+      is_frozen_ = true;
     }
   }
 
-  std::size_t bytes() const override { return conductance_.capacity() * sizeof(double); }
+  std::size_t bytes() const override { 
+    if constexpr (has_own_weights) return conductance_.capacity() * sizeof(double) + weights_.bytes();
+    return conductance_.capacity() * sizeof(double);
+  }
 
   std::vector<std::vector<Vector<Dim>>> const& wall_acceleration() const override {
     if constexpr (std::is_same_v<Value, Vector<Dim>>)
@@ -98,6 +113,14 @@ class SchemeOperator final : public RateOperator<Dim> {
   }
 
  private:
+  static constexpr bool has_own_weights = Scheme::info.least_squares;
+  static_assert(!has_own_weights || last == 0, "weights of its own are for a form of one pass");
+  static constexpr FieldSet first_reads = [] {
+    FieldSet reads;
+    for (PassInfo const& pass : Scheme::info.first_passes) reads = reads | pass.reads;
+    return reads;
+  }();
+
   /// Calls act.operator()<n>() for the pass of that number.
   template <class Act>
   static void with_pass(int pass, Act const& act) {
@@ -126,6 +149,31 @@ class SchemeOperator final : public RateOperator<Dim> {
         return flux_only;
     }
     return Pass<n>::info.boundary;
+  }
+
+  PairGeometry<Dim> const& seen_last(PairGeometry<Dim> const& given) const {
+    if constexpr (has_own_weights) return weights_.last();
+    return given;
+  }
+
+  template <std::size_t n>
+  static void fill_boundaries(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, Closure closure, double time) {
+    for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, wall_values<n>(geometry.contacts[w]), closure, time);
+    }
+  }
+
+  /// The pass's pairs, and those with what stands behind walls.
+  template <std::size_t n>
+  void add_pass(Particles<Dim>& particles, PairGeometry<Dim>& geometry, double time, int threads, PairSweep<Dim>& sweep) {
+    for (std::size_t w = 0; w < geometry.behind.size(); ++w) sweep_behind<n>(geometry, w, particles, time, threads);
+    if constexpr (n == last) {
+      check(particles, geometry);
+      if constexpr (Scheme::info.difference_form) {
+        if (is_frozen_) return conduct(particles, geometry.neighbours, threads);
+      }
+    }
+    sweep.add(loops_of_scheme<Scheme, Dim>().passes[n], reads_of_pass<Scheme, n>(), Pass<n>::info.kernel, output<Pass<n>>(particles));
   }
 
   /// The pass's pairs of a wall's contacts with what stands behind it, into the field that it writes there.
@@ -174,10 +222,16 @@ class SchemeOperator final : public RateOperator<Dim> {
       ParticleView<Dim, reads_of_pass<Scheme, n>()> const own(fields, i);
       if constexpr (!requires { Pass<n>::finish(own, out[i]); }) {
         return;
-      } else if constexpr (std::is_same_v<decltype(out), std::vector<double>&>) {
-        out[i] = Pass<n>::finish(own, out[i]);
       } else {
-        out.set(i, Pass<n>::finish(own, out[i]));
+        try {
+          if constexpr (std::is_same_v<decltype(out), std::vector<double>&>) {
+            out[i] = Pass<n>::finish(own, out[i]);
+          } else {
+            out.set(i, Pass<n>::finish(own, out[i]));
+          }
+        } catch (TooFewPartners const& error) {
+          throw TooFewPartners("particle " + std::to_string(i) + ": " + error.what());
+        }
       }
     }
   }
@@ -209,6 +263,9 @@ class SchemeOperator final : public RateOperator<Dim> {
     }
   }
 
+  struct NoWeights {};
+  std::conditional_t<has_own_weights, QuadraticWeights<Dim>, NoWeights> weights_;
+  bool is_frozen_ = false;
   std::vector<double> conductance_;             ///< per pair, once frozen
   std::vector<std::vector<Value>> wall_terms_;  ///< per wall and contact
   std::vector<Value> exchanged_;

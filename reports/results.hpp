@@ -25,12 +25,17 @@ struct Context {
 };
 
 struct LayoutChoice {
-  std::string id;          ///< lattice, jittered, glass, ...
+  std::string id;          ///< lattice, jittered, glass, random, ...
   double amplitude = 0.0;  ///< of the displacement; of clumped the separation, of touching the gap; [dx]
   std::uint64_t seed = 0;  ///< of a layout that is drawn by lot
   bool voronoi_masses = false;  ///< masses are density times the Voronoi cells' volumes, not the layout's own
   bool operator==(LayoutChoice const&) const = default;
 };
+
+/// Whether a seed decides where particles are.
+inline bool is_drawn(LayoutChoice const& layout) {
+  return layout.id == "jittered" || layout.id == "glass" || layout.id == "random";
+}
 
 /// Coefficients of Monaghan's artificial viscosity; both 0: off.
 struct ViscosityChoice {

@@ -1,5 +1,6 @@
 #include "formulations/layouts/layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -131,6 +132,24 @@ Layout<Dim> jittered(Domain<Dim> const& domain, int resolution, double amplitude
   return layout;
 }
 
+template <int Dim>
+Layout<Dim> at_random(Domain<Dim> const& domain, int resolution, std::uint64_t seed) {
+  Layout<Dim> layout = lattice(domain, resolution);
+  Vector<Dim> const half = 0.5 * domain.extent();
+  std::mt19937_64 generator(seed);
+  for (std::size_t i = 0; i < layout.volumes.size(); ++i) {
+    Vector<Dim> x = domain.lower + half;
+    for (int k = 0; k < Dim; ++k) x[k] += half[k] * signed_unit_deviate(generator);
+    layout.positions.set(i, domain.to_space(x));
+  }
+  if constexpr (Dim == 1) {
+    auto& x = layout.positions.component(0);
+    std::sort(x.begin(), x.end());
+    set_voronoi_volumes(layout, domain);
+  }
+  return layout;
+}
+
 Layout<2> hexagonal(Domain<2> const& domain, int resolution) {
   auto const [row, rows] = hexagonal_shape(domain, resolution);
   Layout<2> layout;
@@ -235,6 +254,9 @@ template Layout<3> lattice(Domain<3> const&, int);
 template Layout<1> jittered(Domain<1> const&, int, double, std::uint64_t);
 template Layout<2> jittered(Domain<2> const&, int, double, std::uint64_t);
 template Layout<3> jittered(Domain<3> const&, int, double, std::uint64_t);
+template Layout<1> at_random(Domain<1> const&, int, std::uint64_t);
+template Layout<2> at_random(Domain<2> const&, int, std::uint64_t);
+template Layout<3> at_random(Domain<3> const&, int, std::uint64_t);
 template void reorder(Layout<1>&, std::vector<std::uint32_t> const&);
 template void reorder(Layout<2>&, std::vector<std::uint32_t> const&);
 template void reorder(Layout<3>&, std::vector<std::uint32_t> const&);

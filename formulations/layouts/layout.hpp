@@ -25,7 +25,7 @@ template <int Dim>
 void reorder(Layout<Dim>& layout, std::vector<std::uint32_t> const& order);
 
 // Every layout has a `resolution` N, and particles of about the volume of a cube with the edge extent[0]/N.
-// For `lattice`, those displaced from it and `equal_mass` the spacing is extent[0]/N; for the others it is
+// For `lattice`, those displaced from it, `at_random` and `equal_mass` the spacing is extent[0]/N; for the others it is
 // the edge of the cube that has one particle's volume, so that one ratio h/dx means the same number of
 // neighbours everywhere.
 
@@ -79,7 +79,12 @@ Layout<3> close_packed(Domain<3> const& domain, int resolution);
 template <int Dim>
 Layout<Dim> glass(Domain<Dim> const& domain, int resolution, std::uint64_t seed);
 
-/// How many particles `lattice` (and `jittered`, `clumped`, `touching`, `glass`), `hexagonal` and
+/// Particles at random places, independent of each other, as many as the lattice has. Volumes are Voronoi volumes in 1D, equal
+/// otherwise. One seed gives the same particles on every machine.
+template <int Dim>
+Layout<Dim> at_random(Domain<Dim> const& domain, int resolution, std::uint64_t seed);
+
+/// How many particles `lattice` (and `jittered`, `clumped`, `touching`, `glass`, `at_random`), `hexagonal` and
 /// `close_packed` would place.
 template <int Dim>
 double lattice_count(Domain<Dim> const& domain, int resolution);

@@ -87,7 +87,7 @@ class PluginOperator final : public RateOperator<Dim> {
     }
   }
 
-  void freeze(Particles<Dim> const&, PairGeometry<Dim> const&, int) override {}
+  void freeze(Particles<Dim>&, PairGeometry<Dim>&, int) override {}
   std::size_t bytes() const override {
     std::size_t numbers = 0;
     for (auto const& component : pairs_) numbers += component.capacity();

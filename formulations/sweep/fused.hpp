@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "formulations/sweep/gather.hpp"
 #include "formulations/sweep/terms.hpp"
 
@@ -113,7 +115,10 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
             }
             W.inverse = quotient * q;
           }
-          if constexpr ((wants_value<Terms> || ...))
+          // Beside stored slopes there is no W: who reads it is refused (why_no_pair_weights).
+          if constexpr (is_stored<Kernel>)
+            W.weight = Pack(std::numeric_limits<double>::quiet_NaN());
+          else if constexpr ((wants_value<Terms> || ...))
             W.weight = Pack(Kernel::sigma) * integer_power<Dim>(Pack(per_h)) * Kernel::shape(W.length * Pack(per_h));
           terms.add(slots, ReadOwn{own}, ReadRegisters{columns}, W);
         });

@@ -259,9 +259,33 @@ Rates<Dim> evaluate(RandomScene<Dim> scene, std::string_view id, PairGeometry<Di
   return rates;
 }
 
+/// The same with so wide a kernel that particles at random have others on all sides.
+template <int Dim>
+RandomScene<Dim> widened(RandomScene<Dim> scene) {
+  Particles<Dim> const& narrow = scene.particles;
+  Particles<Dim> wide(narrow.size(), 2.5 * narrow.smoothing_length());
+  wide.set_kernel(narrow.kernel());
+  for (FieldInfo const& field : field_infos) {
+    if (!narrow.has(field.field) || field.is_tensor) continue;
+    wide.allocate(field.field);
+    if (field.is_vector) {
+      wide.vector(field.field) = narrow.vector(field.field);
+    } else {
+      wide.scalar(field.field) = narrow.scalar(field.field);
+    }
+  }
+  scene.particles = std::move(wide);
+  return scene;
+}
+
+/// A scheme that needs partners on all sides is given them.
 template <int Dim>
 Rates<Dim> evaluate(RandomScene<Dim> const& scene, std::string_view id, bool with_walls = true,
                     int threads = 1) {
+  if (SchemeInfo const* const scheme = find_scheme(id); scheme && scheme->needs_partners) {
+    RandomScene<Dim> const wide = widened(scene);
+    return evaluate(wide, id, geometry_of(wide, with_walls), threads);
+  }
   return evaluate(scene, id, geometry_of(scene, with_walls), threads);
 }
 

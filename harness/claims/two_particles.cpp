@@ -38,7 +38,7 @@ std::optional<double> at_the_support(SchemeInfo const& scheme, Kernel const& ker
 
 template <int Dim>
 std::optional<double> conductivity_mean(SchemeInfo const& scheme, Kernel const& kernel) {
-  if (scheme.rate != Rate::conduction_heating || scheme.claims.mean == ConductivityMean::unknown) return std::nullopt;
+  if (scheme.needs_partners || scheme.rate != Rate::conduction_heating || scheme.claims.mean == ConductivityMean::unknown) return std::nullopt;
   auto const exchanged = [&](double first, double second) {
     RandomScene<Dim> scene = two_at<Dim>(kernel, 0.5);
     scene.particles.scalar(Field::conductivity) = {first, second};

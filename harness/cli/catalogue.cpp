@@ -153,6 +153,12 @@ void add_words(std::vector<CatalogueEntry>& all) {
              {"equation", "from a random start until the particles hold each other in place; equal volumes"},
              {"parameters", Json::array({"seed, or a list of seeds: replicates of each level", masses_parameter})}};
        }});
+  all.push_back(
+      {"layouts", "random", "Particles at random places, independent of each other", "", [] {
+         return Json{
+             {"equation", "every coordinate uniform in the box; mass = density times Voronoi volume in 1D, equal volumes otherwise"},
+             {"parameters", Json::array({"seed, or a list of seeds: replicates of each level", masses_parameter})}};
+       }});
   for (MeasureWord const& word : measure_words()) {
     all.push_back({"measures", std::string(word.word), std::string(word.title), "", [] {
                      return Json{{"parameters", Json::array()}};

@@ -53,8 +53,9 @@ Discretisation read_choices(Node const& document, StudyCase const& chosen, std::
         layout->complain("a layout without its seed, which stands beside each snapshot");
       Json const named = one.is_object() && one.contains("id") ? one.at("id") : one;
       std::string const id = named.is_string() ? named.get<std::string>() : "";
-      if (id == "glass" && one.is_string()) one = Json{{"id", id}};
-      if (id == "glass" || id == "jittered") one["seed"] = 0;
+      bool const bare = id == "glass" || id == "random";  // with nothing beside a seed
+      if (bare && one.is_string()) one = Json{{"id", id}};
+      if (bare || id == "jittered") one["seed"] = 0;
     }
     for (auto const& [key, value] : node->members()) {
       if (value.is_array()) value.complain("a single value: the one that the code is shown beside");
@@ -107,8 +108,8 @@ NamedSnapshot read_entry(Node const& node, std::filesystem::path const& folder, 
   if (auto const time = node.find("time")) one.time = time->number_between(0.0, 1e100);
   if (auto const seconds = node.find("seconds")) one.seconds = seconds->positive_number();
   if (auto const seed = node.find("seed")) {
-    if (d.layout.id != "jittered" && d.layout.id != "glass")
-      seed->complain("none, or a layout that is drawn by lot (jittered, glass) in discretisation.layout");
+    if (!is_drawn(d.layout))
+      seed->complain("none, or a layout that is drawn by lot (jittered, glass, random) in discretisation.layout");
     one.seed = static_cast<std::uint64_t>(seed->integer(0, std::numeric_limits<std::int64_t>::max()));
   }
   return one;

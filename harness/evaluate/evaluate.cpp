@@ -199,6 +199,7 @@ std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
       return fmt::format("the state gives no {}", field.name);
     }
   }
+  if (state.pair_weight != PairWeight::kernel) return std::string(why_no_pair_weights(scheme));
   return "";
 }
 

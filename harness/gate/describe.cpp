@@ -31,7 +31,7 @@ std::string describe_parameters(std::string const& case_id,
 std::string describe_layout(LayoutChoice const& layout, bool with_seed) {
   std::string text = layout.id;
   if (layout.amplitude > 0.0) text += fmt::format(" {:g}", layout.amplitude);
-  if (with_seed && (layout.id == "jittered" || layout.id == "glass"))
+  if (with_seed && is_drawn(layout))
     text += fmt::format(" seed {}", layout.seed);
   if (layout.voronoi_masses) text += ", Voronoi masses";
   return text;

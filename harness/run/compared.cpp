@@ -43,7 +43,9 @@ void require_finite_budgets(RunRecord& record) {
       mark_not_finite(record, fmt::format("flux through wall {} is not finite", w));
   }
   auto const is_finite = [](Budget const& b) {
-    return std::isfinite(b.drift) && std::isfinite(b.pair_drift.value_or(0.0)) &&
+    // What crossed a wall may not be known, and then neither is what pairs made.
+    bool const is_unknown = std::isnan(b.exchanged) && !b.pair_drift;
+    return (is_unknown || std::isfinite(b.drift)) && std::isfinite(b.pair_drift.value_or(0.0)) &&
            std::isfinite(b.wall_budget_defect.value_or(0.0));
   };
   for (auto const& [quantity, budget] : record.conservation) {

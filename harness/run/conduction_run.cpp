@@ -163,7 +163,9 @@ class ConductionRun : ConductionIntegration<Dim> {
   void measure_wall_flux() {
     if (!problem_.vectors.contains(Field::flux)) return;
     Scene<Dim>& scene = conduction_.scene();
-    auto const power = scene.wall_power();
+    auto const prescribed = scene.prescribed_wall_power(problem_.final_time);
+    if (!scene.exchange_is_known(prescribed)) return;
+    auto const power = scene.exchanged_power(prescribed);
     auto const areas = scene.wall_areas();
     double scale = 0.0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -198,6 +200,10 @@ class ConductionRun : ConductionIntegration<Dim> {
       defect += result.quadratures[w] - result.quadratures[walls + 2 + w];
     }
     if (known) budget.wall_budget_defect = defect;
+    if (!conduction_.scene().exchange_is_known(prescribed)) {
+      budget.exchanged = budget.drift = std::numeric_limits<double>::quiet_NaN();
+      budget.pair_drift.reset();
+    }
     record_.conservation["energy"] = budget;
 
     Budget mass;  // frozen particles carry theirs along

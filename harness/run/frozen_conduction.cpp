@@ -33,13 +33,14 @@ template <int Dim>
 void FrozenConduction<Dim>::quadrature(double time, double const* temperature, double* out) {
   evaluate(time, temperature);
   double pairs = scene_.scheme_power();
-  for (double const power : scene_.wall_power()) {
+  std::vector<Number> const prescribed = scene_.prescribed_wall_power(time);
+  for (double const power : scene_.exchanged_power(prescribed)) {
     *out++ = power;
     pairs -= power;
   }
   *out++ = scene_.source_power(time);
   *out++ = pairs;
-  for (Number const& power : scene_.prescribed_wall_power(time)) *out++ = power.value_or(0.0);
+  for (Number const& power : prescribed) *out++ = power.value_or(0.0);
 }
 
 template <int Dim>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "harness/measure/shock.hpp"
 #include "harness/run/exact_fields.hpp"
@@ -11,11 +12,12 @@ namespace sphverify {
 
 namespace {
 constexpr std::size_t longest_history = 256;
+constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 }
 
 template <int Dim>
 void measure_wall_flux(Problem<Dim> const& problem, MovingScene<Dim> const& scene, RunRecord& record) {
-  if (!problem.vectors.contains(Field::flux)) return;
+  if (!problem.vectors.contains(Field::flux) || !scene.heat_exchange_is_known()) return;
   auto const& exact = problem.vectors.at(Field::flux);
   double const t = problem.final_time;
   Particles<Dim> const& particles = scene.particles();
@@ -70,6 +72,11 @@ void measure_budgets(Problem<Dim> const& problem, SceneChoice const& choice, Mov
   energy.exchanged = budgets.exchanged_energy();
   energy.drift = energy.final - energy.initial - energy.exchanged;
   energy.pair_drift = budgets.pair_energy;
+  bool const is_known = scene.heat_exchange_is_known();
+  if (!is_known) {
+    energy.exchanged = energy.drift = not_known;
+    energy.pair_drift.reset();
+  }
   Vector<Dim> impulse_defect = Vector<Dim>::Zero();
   double energy_defect = 0.0;
   for (std::size_t w = 0; w < budgets.walls.size(); ++w) {
@@ -80,11 +87,11 @@ void measure_budgets(Problem<Dim> const& problem, SceneChoice const& choice, Mov
     record.wall_budgets.push_back({{place.begin(), place.end()},
                                     {wall.force.begin(), wall.force.end()},
                                     {wall.prescribed_force.begin(), wall.prescribed_force.end()},
-                                    wall.power,
-                                    wall.prescribed_power,
-                                    wall.heat});
+                                    is_known ? wall.power : not_known,
+                                    is_known ? wall.prescribed_power : not_known,
+                                    is_known ? wall.heat : not_known});
   }
-  if (with_walls) energy.wall_budget_defect = energy_defect;
+  if (with_walls && is_known) energy.wall_budget_defect = energy_defect;
   record.conservation["energy"] = energy;
 
   for (int k = 0; k < Dim; ++k) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
 #include "reports/extremes.hpp"
 
@@ -27,7 +28,8 @@ void keep_history(double t, MovingScene<Dim> const& scene, GasBudgets<Dim> const
   history.time.push_back(t);
   history.energy.push_back(scene.energy());
   history.momentum.push_back(scene.momentum()[0]);
-  history.exchanged.push_back(budgets.exchanged_energy());
+  bool const is_known = scene.heat_exchange_is_known();
+  history.exchanged.push_back(is_known ? budgets.exchanged_energy() : std::numeric_limits<double>::quiet_NaN());
   history.wall_impulse_defect.resize(budgets.walls.size());
   history.wall_energy_defect.resize(budgets.walls.size());
   for (std::size_t w = 0; w < budgets.walls.size(); ++w) {

@@ -85,6 +85,10 @@ MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options) {
     }
     std::visit([&](auto const& in_dimension) { measure_in_dimension(in_dimension, spec, options, run); },
                problem);
+  } catch (TooFewPartners const& error) {
+    record.status = "invalid";
+    record.reason = error.what();
+    run.awaits_timing = false;
   } catch (UndefinedRate const& error) {
     record.status = "positivity-lost";
     record.reason = error.what();

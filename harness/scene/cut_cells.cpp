@@ -46,7 +46,7 @@ class Cells {
       centred_ = true;
       width_ *= 0.5;
     }
-    if (choice.id == "glass") {
+    if (choice.id == "glass" || (choice.id == "random" && Dim > 1)) {
       centred_ = true;
       width_ = layout.spacing;
       std::vector<double> places(layout.volumes.size());
@@ -84,7 +84,7 @@ class Cells {
   Layout<Dim> const& layout_;
   double lower_, width_;
   bool centred_ = false;
-  std::vector<double> jumps_, shifts_;  ///< in a glass
+  std::vector<double> jumps_, shifts_;  ///< where cells are in no order
 };
 
 /// Gauss's places and weights in an interval, for which they add up to its length over `whole`.
@@ -120,7 +120,7 @@ std::vector<CutCell<Dim>> cut_cells(Problem<Dim> const& problem, Layout<Dim> con
   for (std::size_t i = 0; i < layout.volumes.size(); ++i) {
     Vector<Dim> const at = domain.to_box(layout.positions[i]);
     Interval const own = cells.of(i, at[0]);
-    // The particle itself may lie beside its cell, in a glass.
+    // The particle itself may lie beside its cell, where these are in no order.
     Interval const seen{std::min(own.lower, at[0]), std::max(own.upper, at[0])};
     std::vector<double> edges{own.lower};
     bool is_cut = false;

@@ -78,6 +78,8 @@ class MovingScene {
   /// Who runs into whom fastest, in words; empty if nothing approaches.
   std::string closest_approach() const;
   std::vector<WallExchange<Dim>> wall_exchange() const;
+  /// Whether what crosses the walls as heat is known (SchemeInfo::wall_terms_are_exchange); where not, `heat` is 0.
+  bool heat_exchange_is_known() const;
   Vector<Dim> source_force() const;
   double source_power() const;
   Vector<Dim> force() const;  ///< of everything together: d/dt sum m v

@@ -36,21 +36,27 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
     exchange.prescribed_force = -pressure * whole * contacts.outward_normal;
     exchange.prescribed_power = -work * whole;
     if (!conduction_operator_) continue;
-    exchange.heat = conduction_wall_power_[w];
+    bool const has_flux = walls_[w].flux || contacts.flux.size() == contacts.size();
+    double const prescribed = !has_flux ? 0.0 : -whole * face_mean(contacts, [&](std::size_t c) {
+      Vector<Dim> const flux = walls_[w].flux ? walls_[w].flux(contacts.foot[c], time_) : contacts.flux[c];
+      return flux.dot(contacts.outward_normal);
+    });
+    exchange.heat = conduction_operator_->info().wall_terms_are_exchange ? conduction_wall_power_[w] : prescribed;
     exchange.power += exchange.heat;
     // A flux that neither the wall nor the closure knows is taken as it is in the scheme.
-    if (walls_[w].flux || contacts.flux.size() == contacts.size()) {
-      exchange.prescribed_power -= whole * face_mean(contacts, [&](std::size_t c) {
-                                     Vector<Dim> const flux = walls_[w].flux
-                                                                  ? walls_[w].flux(contacts.foot[c], time_)
-                                                                  : contacts.flux[c];
-                                     return flux.dot(contacts.outward_normal);
-                                   });
-    } else {
-      exchange.prescribed_power += exchange.heat;
-    }
+    exchange.prescribed_power += has_flux ? prescribed : exchange.heat;
   }
   return all;
+}
+
+template <int Dim>
+bool MovingScene<Dim>::heat_exchange_is_known() const {
+  if (!conduction_operator_ || conduction_operator_->info().wall_terms_are_exchange) return true;
+  for (std::size_t w = 0; w < geometry().contacts.size(); ++w) {
+    WallContacts<Dim> const& contacts = geometry().contacts[w];
+    if (!walls_[w].flux && contacts.flux.size() != contacts.size()) return false;
+  }
+  return true;
 }
 
 template <int Dim>
@@ -145,6 +151,7 @@ std::optional<double> MovingScene<Dim>::volume_defect() const {
 
 #define SPHVERIFY_INSTANTIATE(D)                                                \
   template std::vector<WallExchange<D>> MovingScene<D>::wall_exchange() const;  \
+  template bool MovingScene<D>::heat_exchange_is_known() const;                 \
   template Vector<D> MovingScene<D>::source_force() const;                      \
   template double MovingScene<D>::source_power() const;                         \
   template Vector<D> MovingScene<D>::force() const;                             \

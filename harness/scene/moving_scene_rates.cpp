@@ -165,11 +165,16 @@ void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
     if (conduction_operator_) {
       conduction_operator_->evaluate(particles_, geometry, closure_, time, threads_, work_);
       for (PassInfo const& pass : conduction_operator_->info().first_passes) ++passes_[pass.name];
+      if (conduction_operator_->info().least_squares) ++passes_["quadratic-weights"];
       ++passes_[conduction_operator_->info().id];
       auto const& heating = particles_.scalar(Field::heating);
       for (std::size_t i = 0; i < particles_.size(); ++i) energy_rate_[i] += heating[i];
       conduction_wall_power_ = conduction_operator_->wall_power();
     }
+  } catch (TooFewPartners const& error) {
+    // At the start it is the study that makes no sense; later it is what the run has come to.
+    if (time == 0.0) throw;
+    throw BrokenRun("unstable", fmt::format("{} at t = {:.6g}", error.what(), time));
   } catch (UndefinedRate const& error) {
     throw undefined(error);
   }

@@ -13,7 +13,7 @@ namespace sphverify {
 /// Throws std::invalid_argument for a layout that the dimension does not have, or that there is not.
 template <int Dim>
 double particle_count(Domain<Dim> const& domain, LayoutChoice const& layout, int resolution) {
-  for (char const* id : {"lattice", "jittered", "clumped", "touching"}) {
+  for (char const* id : {"lattice", "jittered", "clumped", "touching", "random"}) {
     if (layout.id == id) return lattice_count(domain, resolution);
   }
   if (layout.id == "equal-mass") {
@@ -50,6 +50,7 @@ template <int Dim>
 Layout<Dim> place_in_order(Problem<Dim> const& problem, LayoutChoice const& layout, int resolution) {
   particle_count(problem.domain, layout, resolution);  // says what is wrong with the choice
   if (layout.id == "jittered") return jittered(problem.domain, resolution, layout.amplitude, layout.seed);
+  if (layout.id == "random") return at_random(problem.domain, resolution, layout.seed);
   if (layout.id == "clumped") return clumped(problem.domain, resolution, layout.amplitude);
   if (layout.id == "touching") return touching(problem.domain, resolution, layout.amplitude);
   if constexpr (Dim == 1) {

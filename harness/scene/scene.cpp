@@ -21,6 +21,7 @@ Scene<Dim>::Scene(Problem<Dim> problem, SceneChoice const& choice)
   place_particles(choice);
   find_geometry(choice);
   set_fields();
+  if (scheme().least_squares) ++passes_["quadratic-weights"];  // once: nothing moves
 }
 
 template <int Dim>
@@ -140,13 +141,17 @@ template <int Dim>
 void Scene<Dim>::freeze() {
   if (!scheme().difference_form) return;
   operator_->freeze(particles_, geometry_, threads_);
+  for (PassInfo const& pass : scheme().first_passes) ++passes_[pass.name];
   ++passes_["conductances"];
+  is_frozen_ = true;
 }
 
 template <int Dim>
 void Scene<Dim>::evaluate(double time) {
   operator_->evaluate(particles_, geometry_, closure_, time, threads_, work_);
-  for (PassInfo const& pass : scheme().first_passes) ++passes_[pass.name];
+  if (!is_frozen_) {
+    for (PassInfo const& pass : scheme().first_passes) ++passes_[pass.name];
+  }
   ++passes_[scheme().id];
 }
 
@@ -195,6 +200,20 @@ std::vector<Number> Scene<Dim>::prescribed_wall_power(double time) {
     if (weight != 0.0) power[w] = -sum / weight * areas[w];
   }
   return power;
+}
+
+template <int Dim>
+std::vector<double> Scene<Dim>::exchanged_power(std::vector<Number> const& prescribed) const {
+  if (scheme().wall_terms_are_exchange || geometry_.contacts.empty()) return wall_power();
+  std::vector<double> power;
+  for (Number const& one : prescribed) power.push_back(one.value_or(0.0));
+  return power;
+}
+
+template <int Dim>
+bool Scene<Dim>::exchange_is_known(std::vector<Number> const& prescribed) const {
+  return scheme().wall_terms_are_exchange || geometry_.contacts.empty() ||
+         std::all_of(prescribed.begin(), prescribed.end(), [](Number const& one) { return one.has_value(); });
 }
 
 template <int Dim>

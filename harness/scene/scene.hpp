@@ -61,6 +61,11 @@ class Scene {
   /// the scheme knows of no flux there.
   std::vector<Number> prescribed_wall_power(double time);
 
+  /// Power that crosses each wall [W]: by the wall terms, or where these are not what crosses it, by `prescribed`
+  /// (prescribed_wall_power); 0 where that is not known.
+  std::vector<double> exchanged_power(std::vector<Number> const& prescribed) const;
+  bool exchange_is_known(std::vector<Number> const& prescribed) const;
+
   /// Power of the scheme's whole rate in the last evaluation [W]: walls and what the pairs fail to balance.
   double scheme_power() const;
 
@@ -87,6 +92,7 @@ class Scene {
   PairGeometry<Dim> geometry_;
   std::vector<CutCell<Dim>> cut_cells_;  ///< by jumps of what they are made of
   Closure closure_;
+  bool is_frozen_ = false;  ///< first passes have run once and for all
   double spacing_ = 0.0;
   int threads_;
   WorkCount work_;

@@ -80,9 +80,13 @@ std::string without_pair_weight(std::string const& id) {
   SchemeInfo const* const scheme = find_scheme(id);
   if (!scheme) return "";
   if (id.starts_with("plugin/")) return id + " computes its own weights of pairs, from the kernel";
-  bool reads_value = scheme->kernel.contains(KernelWeight::value);
-  for (PassInfo const& pass : scheme->first_passes) reads_value = reads_value || pass.kernel.contains(KernelWeight::value);
-  return reads_value ? id + " reads the kernel's value, which Voronoi pair weights do not have" : "";
+  std::string_view const reason = why_no_pair_weights(*scheme);
+  return reason.empty() ? "" : fmt::format("{} {}", id, reason);
+}
+
+bool brings_weights(std::string const& id) {
+  SchemeInfo const* const scheme = find_scheme(id);
+  return scheme && scheme->least_squares;
 }
 
 /// Why nothing can stand behind the walls; empty if it can, or nothing should.
@@ -153,6 +157,8 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
       if (std::string reason = without_pair_weight(id); !reason.empty()) return reason;
     }
   }
+  if (brings_weights(formulation.id) && d.face_weight != study.face_weights.front())
+    return fmt::format("face weight {} changes nothing in {}, which weighs foot points by least squares", d.face_weight, formulation.id);
   if (std::string reason = without_wall_particles(problem, formulation, d); !reason.empty()) return reason;
   // A wall that goes with the gas has the mean speed of its contacts, by face weight and closure, whatever stands behind it.
   bool const has_contacts = formulation.walls && (formulation.walls.are_terms() || has_free_wall(problem));

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "formulations/rate_operator.hpp"
 #include "harness/study/expand.hpp"
 #include "harness/study/wall_facts.hpp"
 
@@ -45,7 +46,8 @@ std::string essence(Study const& study, RunSpec const& run, AnyProblem const& pr
   use(is_gas, "viscosity", d.viscosity);
   use(is_gas, "smoothing", d.smoothing);
   bool const has_contacts = walls && (f.walls.are_terms() || has_free_wall(problem));
-  bool const face_weighs = has_contacts && d.pair_weight == "kernel";
+  SchemeInfo const* const scheme = find_scheme(f.id);
+  bool const face_weighs = has_contacts && d.pair_weight == "kernel" && !(scheme && scheme->least_squares);
   use(true, "pair_weight", d.pair_weight);
   use(face_weighs, "face_weight", d.face_weight);
   use(has_contacts, "closure", d.closure);

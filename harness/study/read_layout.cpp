@@ -15,11 +15,11 @@ constexpr double default_gap = 1e-12;
 
 std::vector<LayoutChoice> read_layout(Node const& node) {
   std::vector<std::string> const ids{"lattice",    "jittered",  "clumped",      "touching",
-                                     "equal-mass", "hexagonal", "close-packed", "glass"};
+                                     "equal-mass", "hexagonal", "close-packed", "glass", "random"};
   if (node.is_string()) {
     std::string const id = node.word(ids);
     if (id == "jittered") node.complain(R"({"id": "jittered", "amplitude": ..., "seed": ...})");
-    if (id == "glass") node.complain(R"({"id": "glass", "seed": ...})");
+    if (id == "glass" || id == "random") node.complain(R"({"id": ")" + id + R"(", "seed": ...})");
     if (id == "clumped") return {{id, default_separation}};
     if (id == "touching") return {{id, default_gap}};
     return {{id}};
@@ -38,12 +38,12 @@ std::vector<LayoutChoice> read_layout(Node const& node) {
     return {{id, away, 0, voronoi}};
   }
   node.require_keys({"id", "amplitude", "seed", "seeds", "masses"});
-  if (id != "jittered" && id != "glass") {
+  if (!is_drawn({id})) {
     node.require_keys({"id", "masses"});
     return {{id, 0.0, 0, voronoi}};
   }
-  node.require_keys(id == "glass" ? std::vector<std::string>{"id", "seed", "seeds", "masses"}
-                                  : std::vector<std::string>{"id", "amplitude", "seed", "seeds", "masses"});
+  node.require_keys(id == "jittered" ? std::vector<std::string>{"id", "amplitude", "seed", "seeds", "masses"}
+                                     : std::vector<std::string>{"id", "seed", "seeds", "masses"});
   double const amplitude = id == "jittered" ? node.at("amplitude").number_between(0.0, 0.499999) : 0.0;
   if (node.find("seed") && node.find("seeds")) node.complain("one of seed and seeds");
   auto const seeds = node.find("seeds") ? node.at("seeds").one_or_many() : std::vector<Node>{node.at("seed")};

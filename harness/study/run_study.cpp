@@ -12,6 +12,7 @@
 
 #include "formulations/basics/fork_join.hpp"
 #include "formulations/kernels/kernel.hpp"
+#include "formulations/rate_operator.hpp"
 #include "harness/measure/series.hpp"
 #include "harness/measure/surface.hpp"
 #include "harness/study/available_memory.hpp"
@@ -37,9 +38,13 @@ double support_of(RunSpec const& run) {
 int jobs_that_fit(Expansion const& expansion) {
   double largest = 0.0;
   for (RunSpec const& run : expansion.runs) {
-    largest = std::max(largest, estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator,
-                                                run.scene_case->problem(run.parameters),
-                                                run.discretisation.layout, run.resolution, support_of(run)));
+    AnyProblem const problem = run.scene_case->problem(run.parameters);
+    double bytes = estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator, problem, run.discretisation.layout,
+                                   run.resolution, support_of(run));
+    // A list of its own, with a weight beside each index.
+    if (SchemeInfo const* const scheme = find_scheme(run.formulation.id); scheme && scheme->least_squares)
+      bytes += 12.0 * estimated_pairs(problem, run.discretisation.layout, run.resolution, support_of(run));
+    largest = std::max(largest, bytes);
   }
   double const jobs = available_memory() / std::max(largest, 1.0);
   return jobs < 1e6 ? std::max(1, static_cast<int>(jobs)) : 1'000'000;

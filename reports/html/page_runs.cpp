@@ -31,8 +31,7 @@ Json runs_json(Results const& results, std::vector<std::size_t> const& series_of
     }
     Cost const* cost = run.cost ? &*run.cost : nullptr;
     Stability const* stability = run.stability ? &*run.stability : nullptr;
-    bool const has_seed =
-        run.discretisation.layout.id == "jittered" || run.discretisation.layout.id == "glass";
+    bool const has_seed = is_drawn(run.discretisation.layout);
     bool const has_series = series_of[i] < results.series.size();
     rows.push_back({has_series ? Json(series_of[i]) : Json(nullptr),
                     has_series ? Json(nullptr) : word(run.label),

@@ -305,7 +305,7 @@ Json to_json(LayoutChoice const& layout) {
   if (layout.id == "clumped") json["separation"] = layout.amplitude;
   if (layout.id == "touching") json["gap"] = layout.amplitude;
   if (layout.id == "jittered") json["amplitude"] = layout.amplitude;
-  if (layout.id == "jittered" || layout.id == "glass") json["seed"] = layout.seed;
+  if (is_drawn(layout)) json["seed"] = layout.seed;
   if (layout.voronoi_masses) json["masses"] = "voronoi";
   return json.size() > 1 ? json : Json(layout.id);
 }

@@ -40,7 +40,7 @@ void read_energy(RunRecord const& run, SeriesRow& row) {
   auto const found = run.conservation.find("energy");
   if (found == run.conservation.end()) return;
   Budget const& b = found->second;
-  if (std::isnan(b.exchanged)) return;  // of a code that is not ours: what crossed its walls is not known
+  if (std::isnan(b.exchanged)) return;  // what crossed the walls is not known
   double const size = larger(std::abs(b.initial), std::abs(b.final));
   double const scale = size > 0.0 ? size : 1.0;
   raise(row.energy_drift, std::abs(b.drift) / scale);

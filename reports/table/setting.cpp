@@ -51,8 +51,6 @@ std::string smoothing_text(Setting const& setting) {
   return fmt::format("{} (N/{})^{:g}", ratio, first, setting.smoothing_exponent);
 }
 
-bool is_drawn(LayoutChoice const& layout) { return layout.id == "jittered" || layout.id == "glass"; }
-
 std::string layout_name(LayoutChoice const& layout) {
   bool const has_distance = layout.id == "clumped" || layout.id == "touching";
   std::string const name = layout.id == "jittered" ? fmt::format("jitter {:g}", layout.amplitude)

@@ -25,7 +25,7 @@ def layout_text(layout):
 
 def seed_of(layout):
     """None of a layout that is not drawn by lot."""
-    return layout["seed"] if isinstance(layout, dict) and layout["id"] in ("jittered", "glass") else None
+    return layout["seed"] if isinstance(layout, dict) and layout["id"] in ("jittered", "glass", "random") else None
 
 
 def viscosity_text(viscosity):

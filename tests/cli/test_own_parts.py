@@ -46,12 +46,12 @@ class OwnParts(ProgramTest):
         results = self.study(cases="conduction/decaying-wave", formulations="conduction/brookshaw", resolution=[10])
         self.assertEqual(results["context"]["program"], "my-verify")
         self.assertEqual(set(results["context"]["added"]), {"momentum/gdf", "work/gdf", "momentum/linear-gradient", "lucy", "nearest",
-                                                            "conduction/harmonic", "conduction/decaying-wave"})
+                                                            "conduction/geometric", "conduction/decaying-wave"})
         self.assertEqual(program.complaints("sphverify-results-1", results), [])
 
     def test_walls_of_its_own_stand_behind_every_form(self):
         results = self.study(cases="conduction/slab-dirichlet", resolution=[20, 40],
-                             formulations=[{"id": form, "walls": walls} for form in ("conduction/brookshaw", "conduction/harmonic")
+                             formulations=[{"id": form, "walls": walls} for form in ("conduction/brookshaw", "conduction/geometric")
                                            for walls in ("on", "mirror", "nearest")])  # fmt: skip
         self.assertEqual(program.complaints("sphverify-results-1", results), [])
         self.assertEqual({(r["status"], r["walls"]) for r in results["runs"]}, {("ok", w) for w in ("on", "mirror", "nearest")})
@@ -135,14 +135,14 @@ class OwnParts(ProgramTest):
 class Claims(ProgramTest):
     def test_added_forms_keep_their_claims_with_every_kernel(self):
         document = strict_json(self.succeed("claims", "--json", "momentum/gdf", "work/gdf", "momentum/linear-gradient",
-                                             "conduction/harmonic"))
+                                             "conduction/geometric"))
         claims = {(id, one["claim"]): one for id, all in document["formulations"].items() for one in all}
         self.assertTrue(all(one["holds"] for one in claims.values() if one["claimed"]))
         self.assertTrue(claims["momentum/gdf", "pairs conserve energy together with work/gdf"]["holds"])
         self.assertTrue(claims["momentum/linear-gradient", "linear fields: the exact derivative on a lattice"]["holds"])
         self.assertFalse(claims["momentum/linear-gradient", "pairs conserve momentum"]["holds"])
         # A mean that we do not use is as good as ours.
-        self.assertTrue(claims["conduction/harmonic", "pairs conduct by the harmonic mean"]["holds"])
+        self.assertTrue(claims["conduction/geometric", "pairs conduct by the geometric mean"]["holds"])
 
 
 class WhatTheCompilerSays(unittest.TestCase):

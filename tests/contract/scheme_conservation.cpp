@@ -60,6 +60,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_conserve_what_is_claimed_and_only_that_acros
       RandomScene<Dim> scene = random_scene<Dim>(kernel(of.id, Dim), 1);
       scene.domain.periodic.fill(periodic);
       for (SchemeInfo const* scheme : all_scheme_infos()) {
+        if (periodic && scheme->needs_partners) continue;  // so wide a kernel does not fit
         Invariant const wanted = scheme->rate == Rate::acceleration ? Invariant::momentum : Invariant::energy;
         double const defect = balance(scene, evaluate(scene, scheme->id, false)).relative();
         if (scheme->conserves.contains(wanted))

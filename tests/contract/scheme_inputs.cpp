@@ -50,6 +50,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(fields_that_are_declared_read_matter, D, Dimension
     for (FieldInfo const& field : field_infos) {
       bool const always = field.field == Field::position || field.field == Field::mass;
       if (!always && !fields_read(*scheme).contains(field.field)) continue;
+      if (field.field == Field::mass && scheme->least_squares) continue;  // its weights are of places alone
       RandomScene<Dim> changed = scene;
       if (field.field == Field::position) {
         changed.particles.positions().add(5, Vector<Dim>::Constant(1e-3));  // less than the gap to the walls
@@ -119,6 +120,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_of_random_states_are_finite, D, Dimensions) 
         scene.face_weight = rule;
         scene.closure = seed % 2 == 0 ? Closure::interpolated : Closure::one_sided;
         for (SchemeInfo const* scheme : all_scheme_infos()) {
+          if (particles < 50 && scheme->needs_partners) continue;
           Rates<Dim> const rates = evaluate(scene, scheme->id);
           BOOST_TEST(std::isfinite(largest(rates.numbers())),
                      scheme->id << " with " << particles << " particles");
@@ -144,6 +146,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(rates_are_finite_at_the_edge_of_a_walls_reach, D, 
     scene.walls[0].point = scene.particles.positions()[0] +
                            2.0 * h * (1.0 - std::pow(10.0, random.uniform(-16.0, -8.0))) * normal;
     for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->needs_partners) continue;
       ++met;
       failures += std::isfinite(largest(evaluate(scene, scheme->id).numbers())) ? 0 : 1;
     }
@@ -164,6 +167,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(particle_that_enters_a_walls_reach_alone_is_not_ki
                    (2.0 - gap) * scene.particles.smoothing_length() * wall.outward_normal;
     };
     for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->needs_partners) continue;
       approach(0.1);
       double const inside = largest(evaluate(scene, scheme->id).numbers());
       for (double gap = 0.05; gap > 1e-13; gap *= 0.5) {
@@ -183,6 +187,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(particle_without_neighbours_or_walls_has_rate_zero
   for (bool const far_walls : {false, true}) {
     for (Wall<Dim>& wall : scene.walls) wall.point += 10.0 * wall.outward_normal;
     for (SchemeInfo const* scheme : all_scheme_infos()) {
+      if (scheme->needs_partners) {
+        BOOST_CHECK_THROW(evaluate(scene, scheme->id, far_walls), TooFewPartners);
+        continue;
+      }
       Rates<Dim> const rates = evaluate(scene, scheme->id, far_walls);
       BOOST_TEST(largest(rates.numbers()) == 0.0, scheme->id);
       BOOST_TEST(largest(rates.flux) == 0.0, scheme->id);

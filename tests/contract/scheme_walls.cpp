@@ -47,14 +47,18 @@ std::vector<bool> within_reach_of_walls(RandomScene<Dim> const& scene, bool two_
 
 BOOST_AUTO_TEST_CASE(walls_reach_as_far_as_the_kernel_and_twice_that_in_two_passes) {
   for (KernelInfo const& of : all_kernel_infos()) {
-    RandomScene<1> const scene = random_scene<1>(kernel(of.id, 1), 1);
+    RandomScene<1> const narrow = random_scene<1>(kernel(of.id, 1), 1);
     for (SchemeInfo const* scheme : all_scheme_infos()) {
-      auto const with = evaluate(scene, scheme->id).numbers();
-      auto const without = evaluate(scene, scheme->id, false).numbers();
-      std::vector<bool> const reached = within_reach_of_walls(scene, (pass_count(*scheme) > 1));
+      RandomScene<1> const scene = scheme->needs_partners ? widened(narrow) : narrow;
+      auto const with = evaluate(scene, scheme->id, geometry_of(scene)).numbers();
+      auto const without = evaluate(scene, scheme->id, geometry_of(scene, false)).numbers();
+      std::vector<bool> const reached = within_reach_of_walls(scene, supports_seen(*scheme) > 1);
       std::size_t untouched = 0;
       for (std::size_t i = 0; i < count; ++i) {
-        BOOST_TEST((with[i] != without[i]) == reached[i], scheme->id << ", " << of.id << ", particle " << i);
+        bool const is_felt = with[i] != without[i];
+        // At the edge of two wide supports what is felt may be less than rounding.
+        bool const is_right = scheme->needs_partners ? reached[i] || !is_felt : is_felt == reached[i];
+        BOOST_TEST(is_right, scheme->id << ", " << of.id << ", particle " << i);
         untouched += reached[i] ? 0 : 1;
       }
       BOOST_TEST(untouched > 0u);
@@ -75,7 +79,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(wall_totals_are_the_sum_over_particles_of_what_eac
   constexpr int Dim = D::value;
   for (KernelInfo const& of : all_kernel_infos()) {
     for (SchemeInfo const* scheme : all_scheme_infos()) {
-      if (pass_count(*scheme) > 1) continue;  // there the walls act through the first pass as well
+      // There walls act through the first pass, or through pairs' weights, as well.
+      if (pass_count(*scheme) > 1 || scheme->least_squares) continue;
       RandomScene<Dim> const scene = random_scene<Dim>(kernel(of.id, Dim), 2);
       Rates<Dim> const both = evaluate(scene, scheme->id);
       for (std::size_t w = 0; w < 2; ++w) {
@@ -167,6 +172,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(hot_wall_heats_and_high_pressure_pushes_inwards, D
     wall.velocity = [speed, normal](Vector<Dim> const&, double) -> Vector<Dim> { return speed * normal; };
   };
   for (SchemeInfo const* scheme : all_scheme_infos()) {
+    if (!scheme->wall_terms_are_exchange) continue;
     // A wall that advances compresses. The two-pass forms feel the temperature through the particles' fluxes.
     set(1.0, 0.0);
     auto const neutral = evaluate(scene, scheme->id);

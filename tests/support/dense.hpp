@@ -305,9 +305,11 @@ void for_each_scene(Compare const& compare) {
 template <int Dim, class Equation>
 double deviation(std::string_view id, Equation const& equation) {
   double worst = 0.0;
-  for_each_scene<Dim>([&](RandomScene<Dim> const& scene, bool with_walls) {
+  for_each_scene<Dim>([&](RandomScene<Dim> const& narrow, bool with_walls) {
+    bool const is_wide = find_scheme(id)->needs_partners;
+    RandomScene<Dim> const scene = is_wide ? widened(narrow) : narrow;
     auto const expected = equation(State<Dim>(scene), with_walls);
-    Rates<Dim> const found = evaluate(scene, id, with_walls);
+    Rates<Dim> const found = evaluate(scene, id, geometry_of(scene, with_walls));
     if constexpr (std::is_same_v<decltype(expected), std::vector<double> const>) {
       worst = std::max(worst, relative_difference(found.heating, expected));
     } else {

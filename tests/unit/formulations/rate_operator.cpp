@@ -24,8 +24,10 @@ BOOST_AUTO_TEST_CASE(schemes_are_found_by_identifier_and_unknown_ones_refused_by
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluations, D, Dimensions) {
   constexpr int Dim = D::value;
-  RandomScene<Dim> scene = random_scene<Dim>(1, 50);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
+    RandomScene<Dim> scene = random_scene<Dim>(1, 50);
+    if (scheme->needs_partners) scene = widened(scene);
+    scene.particles.allocate(needed_fields(*scheme));
     PairGeometry<Dim> geometry = geometry_of(scene);
     std::size_t const contacts = geometry.contacts[0].size() + geometry.contacts[1].size();
     std::size_t const passes = pass_count(*scheme);
@@ -41,8 +43,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluat
 }
 
 BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result) {
-  RandomScene<2> scene = random_scene<2>(1, 50);
   for (SchemeInfo const* scheme : all_scheme_infos()) {
+    RandomScene<2> scene = random_scene<2>(1, 50);
+    if (scheme->needs_partners) scene = widened(scene);
+    scene.particles.allocate(needed_fields(*scheme));
     PairGeometry<2> geometry = geometry_of(scene);
     auto const operator_ = make_rate_operator<2>(scheme->id);
     WorkCount work;

@@ -128,7 +128,7 @@ def energy_made(document, table, scenes):
     for panel, (title, where) in zip(axes, scenes.items()):
         against_resolution(panel, document, table, where, y=results.energy_made, label="")
         panel.set_title(title)
-    axes[0].set_ylabel("energy made or lost, of what was there")
+    axes[0].set_ylabel("energy made or lost, relative")
     style.legend(figure)
     return figure
 

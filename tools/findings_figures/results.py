@@ -86,11 +86,11 @@ def seconds(run):
 
 
 def energy_made(run):
-    """Size of what pairs of particles made or lost of the energy, over what was there."""
+    """Size of what pairs of particles made or lost of the energy, over what was there; at least a rounding of it."""
     energy = run["conservation"]["energy"]
     if energy is None or energy["pair_drift"] is None or not energy["initial"]:
         return None
-    return abs(energy["pair_drift"] / energy["initial"])
+    return max(abs(energy["pair_drift"] / energy["initial"]), 1e-16)
 
 
 # Points: runs that differ in the seed alone are one.

@@ -37,8 +37,6 @@ def curves(axes, document, table, where, along="resolution", y=None, x=None, mid
             axes.fill_between([p.x for p in shown], [p.low for p in shown], [p.high for p in shown],
                               color=look["color"], alpha=0.15, linewidth=0)
         broken = [point.x for point in points if point.broken and math.isfinite(point.x)]
-        if broken:
-            axes.margins(y=0.15)
         # One row for each series.
         cross(axes, broken, [1.0 - 0.045 * index] * len(broken), look["color"], axes.get_xaxis_transform())
 

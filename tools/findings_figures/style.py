@@ -24,6 +24,7 @@ plt.rcParams.update({
     "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.titlesize": 10,
+    "axes.ymargin": 0.12,  # room for the crosses of runs that broke
     "axes.grid": True,
     "grid.alpha": 0.15,
     "grid.linewidth": 0.8,

@@ -65,7 +65,7 @@ BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_wall_is_too_large_by_8_3_in_2d
   BOOST_TEST(ratio(std::integral_constant<int, 3>{}) == 40.0 / 7.0, tolerance(1e-14));
 }
 
-// The numbers per h/dx that docs/findings.md prints, for the first particle of a lattice.
+// The numbers per h/dx that docs/findings/two-and-three-dimensions.md prints, for the first particle of a lattice.
 BOOST_AUTO_TEST_CASE(campbells_face_weight_at_the_first_particle_is_too_large_by_what_the_findings_say) {
   struct Printed {
     double smoothing_ratio, in_2d, in_3d;

@@ -57,7 +57,8 @@ BOOST_AUTO_TEST_CASE(each_kernel_gives_an_error_of_its_own) {
   BOOST_TEST(errors.size() == all_kernel_infos().size());
 }
 
-/// Of support 3h it sees half as far again as the others, which at h/dx = 1.2 are on their floors (docs/findings.md).
+/// Of support 3h it sees half as far again as the others, which at h/dx = 1.2 are on their floors
+/// (docs/findings/kernels-and-integrators.md).
 BOOST_AUTO_TEST_CASE(the_quintic_spline_lowers_the_floor_at_the_same_smoothing_ratio) {
   auto const error = [](std::string_view kernel) {
     return run_with(kernel, {.resolution = 100}).errors.at("temperature").at("all").error.l2;

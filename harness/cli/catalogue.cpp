@@ -70,7 +70,7 @@ Json describe_scheme(SchemeInfo const& s) {
           {"conserves", conserves},
           {"parameters", Json::array({"walls [on]: on; off, the control without wall terms; or what stands behind them in their place (sphverify list walls)"})},
           {"work_partner", s.work_partner.empty() ? Json(nullptr) : Json(s.work_partner)},
-          {"remarks", s.remarks}};
+          {"remarks", std::string(s.remarks) + (s.wall_terms_are_exchange ? "" : " What crosses a wall is not what its wall terms give.")}};
 }
 
 Json describe_case(CaseInfo const& c) {

@@ -73,7 +73,7 @@ std::optional<OdeResult> ConductionIntegration<Dim>::integrate(FrozenConduction<
     if (!with_history) return;
     history_.time.push_back(t);
     history_.energy.push_back(energy_of(particles, T));
-    bool const is_known = conduction.scene().exchange_is_known(conduction.scene().prescribed_wall_power(t));
+    bool const is_known = conduction.scene().exchange_is_known();
     history_.exchanged.push_back(is_known ? std::accumulate(q, q + givers, 0.0) : std::numeric_limits<double>::quiet_NaN());
   };
   typename FrozenConduction<Dim>::Sample const looks =

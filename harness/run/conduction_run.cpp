@@ -164,7 +164,7 @@ class ConductionRun : ConductionIntegration<Dim> {
     if (!problem_.vectors.contains(Field::flux)) return;
     Scene<Dim>& scene = conduction_.scene();
     auto const prescribed = scene.prescribed_wall_power(problem_.final_time);
-    if (!scene.exchange_is_known(prescribed)) return;
+    if (!scene.exchange_is_known()) return;
     auto const power = scene.exchanged_power(prescribed);
     auto const areas = scene.wall_areas();
     double scale = 0.0;
@@ -200,7 +200,7 @@ class ConductionRun : ConductionIntegration<Dim> {
       defect += result.quadratures[w] - result.quadratures[walls + 2 + w];
     }
     if (known) budget.wall_budget_defect = defect;
-    if (!conduction_.scene().exchange_is_known(prescribed)) {
+    if (!conduction_.scene().exchange_is_known()) {
       budget.exchanged = budget.drift = std::numeric_limits<double>::quiet_NaN();
       budget.pair_drift.reset();
     }

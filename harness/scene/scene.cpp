@@ -211,9 +211,10 @@ std::vector<double> Scene<Dim>::exchanged_power(std::vector<Number> const& presc
 }
 
 template <int Dim>
-bool Scene<Dim>::exchange_is_known(std::vector<Number> const& prescribed) const {
-  return scheme().wall_terms_are_exchange || geometry_.contacts.empty() ||
-         std::all_of(prescribed.begin(), prescribed.end(), [](Number const& one) { return one.has_value(); });
+bool Scene<Dim>::exchange_is_known() const {
+  return scheme().wall_terms_are_exchange || geometry_.contacts.empty() || scheme().boundary.contains(BoundaryValue::flux) ||
+         std::all_of(geometry_.walls.begin(), geometry_.walls.end(),
+                     [](Wall<Dim> const& wall) { return wall.prescribes(BoundaryValue::flux); });
 }
 
 template <int Dim>

@@ -64,7 +64,7 @@ class Scene {
   /// Power that crosses each wall [W]: by the wall terms, or where these are not what crosses it, by `prescribed`
   /// (prescribed_wall_power); 0 where that is not known.
   std::vector<double> exchanged_power(std::vector<Number> const& prescribed) const;
-  bool exchange_is_known(std::vector<Number> const& prescribed) const;
+  bool exchange_is_known() const;
 
   /// Power of the scheme's whole rate in the last evaluation [W]: walls and what the pairs fail to balance.
   double scheme_power() const;

@@ -15,8 +15,8 @@ from program import DONE, SOURCE_DIR, USER_ERROR, ProgramTest, small_study
 SVG = "{http://www.w3.org/2000/svg}"
 RESOLUTIONS = [8, 12, 16]
 STUDY = small_study(
-    formulations=["conduction/brookshaw"]
-    + [{"id": "conduction/brookshaw", "walls": walls} for walls in ("mirror", "dummy")],
+    formulations=[f"conduction/{form}" for form in ("brookshaw", "gamma-brookshaw", "corrected-flux", "gmls")]
+    + [{"id": "conduction/brookshaw", "walls": "mirror"}],
     discretisation={
         "density": "given",
         "pair_weight": ["kernel", "voronoi"],
@@ -37,33 +37,33 @@ class Figures(ProgramTest):
         )
 
     def test_every_point_has_a_mark_and_every_series_a_name(self):
-        self.study(STUDY, "weights-and-walls-1d.json")
-        drawn = self.draw("--only", "heat-walls-1d")
+        self.study(STUDY, "heat-1d.json")
+        drawn = self.draw("--only", "heat-1d")
         self.assertEqual(drawn.returncode, DONE, drawn.stderr)
-        path = self.folder / "heat-walls-1d.svg"
+        path = self.folder / "heat-1d.svg"
         self.assertEqual(drawn.stdout, f"{path}\n")
         text = path.read_text()
         root = ElementTree.fromstring(text)
         groups = [g for g in root.iter(f"{SVG}g") if re.fullmatch(r"series-\d+", g.get("id", ""))]
-        self.assertEqual([len(list(g.iter(f"{SVG}use"))) for g in groups], [len(RESOLUTIONS)] * 4)
+        self.assertEqual([len(list(g.iter(f"{SVG}use"))) for g in groups], [len(RESOLUTIONS)] * 6 * 2)  # in each panel
         words = {"".join(t.itertext()).strip() for t in root.iter(f"{SVG}text")}
-        self.assertLessEqual({"wall terms", "mirror particles", "dummy particles", "Voronoi weights"}, words)
+        self.assertLessEqual({"Brookshaw, kernel", "Brookshaw, Voronoi cells", "quadratic least squares"}, words)
         self.assertIn("prefers-color-scheme: dark", text)
         self.assertNotIn("#010203", text)
 
-        self.draw("--only", "heat-walls-1d")
+        self.draw("--only", "heat-1d")
         self.assertEqual(path.read_text(), text)
 
     def test_what_is_not_there_is_said_in_one_line(self):
-        self.assert_user_error(self.draw("--only", "heat-walls-1d"), "weights-and-walls-1d.json")
-        self.assert_user_error(self.draw("--only", "nothing"), "nothing", "heat-walls-1d")
-        self.study(small_study(), "weights-and-walls-1d.json")
-        self.assert_user_error(self.draw("--only", "heat-walls-1d"), "wall terms", "jitter 0.3")
+        self.assert_user_error(self.draw("--only", "heat-1d"), "heat-1d.json")
+        self.assert_user_error(self.draw("--only", "nothing"), "nothing", "heat-1d")
+        self.study(small_study(), "heat-1d.json")
+        self.assert_user_error(self.draw("--only", "heat-1d"), "Brookshaw, mirror particles", "lattice")
 
     def test_a_mean_over_more_than_seeds_is_refused(self):
         study = {**STUDY, "discretisation": {**STUDY["discretisation"], "smoothing_ratio": [1.2, 1.5]}}
-        self.study(study, "weights-and-walls-1d.json")
-        self.assert_user_error(self.draw("--only", "heat-walls-1d"), "smoothing_ratio", "1.2, 1.5")
+        self.study(study, "heat-1d.json")
+        self.assert_user_error(self.draw("--only", "heat-1d"), "smoothing_ratio", "1.2, 1.5")
 
 
 if __name__ == "__main__":

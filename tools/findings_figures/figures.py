@@ -1,6 +1,7 @@
 """The figures: which study, which series. A new one is a table of series and a function with @figure(STUDY) above it."""
 
 import dataclasses
+import math
 import typing
 
 from . import plots, results, style
@@ -34,23 +35,73 @@ WALLS = [
 VORONOI = Series("Voronoi weights", walls="on", pair_weight="voronoi")
 
 
-@figure("weights-and-walls-1d")
-def heat_walls_1d(document):
-    drawn, (panel,) = style.panels()
-    where = {"case": "conduction/slab-dirichlet", "layout": "jitter 0.3"}
-    plots.against_resolution(panel, document, [*WALLS, VORONOI], where)
-    plots.slope(panel, -2, (100, 200), 6e-6)
-    style.legend(drawn)
+def form(name, formulation, walls="on", pair_weight="kernel"):
+    return Series(name, formulation=f"conduction/{formulation}", walls=walls, pair_weight=pair_weight)
+
+
+BROOKSHAW, BY_CELLS = form("Brookshaw, kernel", "brookshaw"), form("Brookshaw, Voronoi cells", "brookshaw", pair_weight="voronoi")
+LEAST_SQUARES = form("quadratic least squares", "gmls")
+CORRECTED = form("corrected gradients", "corrected-flux")
+OVER_GAMMA = form("Brookshaw over Gamma", "gamma-brookshaw")
+AT_WALLS = [BROOKSHAW, form("Brookshaw, mirror particles", "brookshaw", "mirror"), OVER_GAMMA, CORRECTED, LEAST_SQUARES, BY_CELLS]
+
+
+def beside_each_other(document, table, scenes):
+    """Error against N, a panel for each scene."""
+    drawn, axes = style.panels(len(scenes), sharey=True)
+    for panel, (title, where) in zip(axes, scenes.items()):
+        plots.against_resolution(panel, document, table, where, label="")
+        panel.set_title(title)
+    axes[0].set_ylabel("l2 error, relative")
+    style.legend(drawn, columns=3)
     return drawn
 
 
-@figure("weights-and-walls-2d")
-def heat_walls_2d(document):
-    drawn, (panel,) = style.panels()
-    where = {"case": "conduction/square", "case_walls": "dirichlet", "layout": "jitter 0.3, masses voronoi"}
-    plots.against_resolution(panel, document, [*WALLS, VORONOI], where)
-    style.legend(drawn)
-    return drawn
+@figure("heat-1d")
+def heat_1d(document):
+    case = {"case": "conduction/slab-dirichlet"}
+    return beside_each_other(document, AT_WALLS, {"lattice": {**case, "layout": "lattice"},
+                                                  "displaced by up to 0.3 dx": {**case, "layout": "jitter 0.3"}})
+
+
+@figure("heat-2d")
+def heat_2d(document):
+    where = {"case": "conduction/square", "layout": "jitter 0.3, masses voronoi"}
+    return beside_each_other(document, AT_WALLS, {"all sides of given temperature": {**where, "case_walls": "dirichlet"},
+                                                  "two sides insulated": {**where, "case_walls": "mixed"}})
+
+
+@figure("heat-1d")
+def heat_by_wall(document):
+    forms = [Series(name, formulation=f"conduction/{name}")
+             for name in ("brookshaw", "gamma-brookshaw", "gmls", "corrected-flux", "lucy-flux", "campbell-flux")]
+    treatments = [*WALLS, VORONOI]
+    where = {"layout": "jitter 0.3", "resolution": 200}
+    return plots.dots(document, forms, treatments, {"temperature given": {**where, "case": "conduction/slab-dirichlet"},
+                                                    "insulated": {**where, "case": "conduction/slab-insulated"}})
+
+
+@figure("heat-1d")
+def energy(document):
+    table = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, form("Lucy", "lucy-flux"), BY_CELLS]
+    case = {"case": "conduction/slab-insulated"}
+    return plots.energy_made(document, table, {"lattice": {**case, "layout": "lattice"},
+                                               "displaced by up to 0.3 dx": {**case, "layout": "jitter 0.3"}})
+
+
+@figure("heat-time-3d")
+def time_3d(document):
+    return plots.error_against_time(document, [BROOKSHAW, LEAST_SQUARES, BY_CELLS], {"cube, displaced by up to 0.3 dx": {}})
+
+
+@figure("heat-jumps-1d")
+def jumps(document):
+    table = [BROOKSHAW, form("harmonic mean, kernel", "cleary-monaghan"), LEAST_SQUARES, BY_CELLS,
+             form("harmonic mean, Voronoi cells", "cleary-monaghan", pair_weight="voronoi")]
+    where = {"case": "extreme/conductivity-contrast", "resolution": 200, "closure": "one-sided"}
+    return plots.error_against_parameter(document, table, {"lattice": {**where, "layout": "lattice"},
+                                                           "displaced by up to 0.3 dx": {**where, "layout": "jitter 0.3"}},
+                                         "contrast", "ratio of the conductivities")
 
 
 KERNELS = [Series(kernel, kernel=kernel)
@@ -74,7 +125,7 @@ CLOSURES = [Series(f"{form}, {closure}", formulation=f"momentum/{form}", closure
             for form in ("p-rho2", "sqrt-p") for closure in ("interpolated", "one-sided")]
 
 
-@figure("pistons-1d")
+@figure("piston-closures-1d")
 def pistons(document):
     drawn, axes = style.panels(2, sharey=True)
     where = {"case": "hydro/piston-pressure", "density": "normalised"}
@@ -103,21 +154,26 @@ def gas_at_rest(document):
     return drawn
 
 
-FORMS = [Series(form, formulation=f"conduction/{form}") for form in ("brookshaw", "lucy-flux", "campbell-flux")]
+STABLE = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, form("Lucy", "lucy-flux"), form("Campbell", "campbell-flux")]
 
 
-@figure("stability-1d")
+@figure("heat-stability-1d")
 def spectrum(document):
     drawn, axes = style.panels(2, sharey=True)
-    for panel, layout in zip(axes, ("jitter 0.1", "jitter 0.3")):
-        where = {"case": "conduction/slab-dirichlet", "layout": layout}
-        plots.curves(panel, document, FORMS, where, along="smoothing_ratio", y=results.growth, middle=max)
+    layouts = [f"jitter {amplitude}" for amplitude in (0.1, 0.3, 0.45)]
+    for panel, ratio in zip(axes, (1.2, 2.0)):
+        for index, series in enumerate(STABLE):
+            look = {**style.look(index), "linestyle": "none"}
+            numbers = [max(filter(None, map(results.growth, series.runs(document, {"case": "conduction/slab-dirichlet",
+                           "layout": layout, "smoothing_ratio": ratio}))), default=math.nan) for layout in layouts]  # fmt: skip
+            (line,) = panel.plot([at + 0.12 * (index - 2.5) for at in range(3)], numbers, label=series.name, **look)
+            line.set_gid(f"series-{index}")
         plots.signed_decades(panel.yaxis, -11, -3)
         panel.axhline(0, color=style.INK, linewidth=0.8)
-        panel.annotate("grows", (1.0, 0), textcoords="offset points", xytext=(0, 5), fontsize=9)
-        panel.annotate("decays", (1.0, 0), textcoords="offset points", xytext=(0, -12), fontsize=9)
-        panel.set(xlabel="h/dx", title=layout)
-        style.plain_numbers(panel.xaxis, [1.0, 1.2, 1.5, 2.0])
+        panel.set(xlabel="displaced by up to", title=f"h/dx = {ratio:g}", xlim=(-0.5, 2.5))
+        panel.set_xticks(range(3), ["0.1 dx", "0.3 dx", "0.45 dx"])
+    axes[0].annotate("grows", (-0.45, 0), textcoords="offset points", xytext=(0, 5), fontsize=9)
+    axes[0].annotate("decays", (-0.45, 0), textcoords="offset points", xytext=(0, -12), fontsize=9)
     axes[0].set_ylabel("fastest growth [K/(rho dx^2)]")
-    style.legend(drawn)
+    style.legend(drawn, columns=3)
     return drawn

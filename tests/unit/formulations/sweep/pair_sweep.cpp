@@ -32,6 +32,13 @@ void fill_fields(Particles<Dim>& particles, Random& random) {
   for (std::size_t i = 0; i < particles.size(); ++i) {
     particles.vector(Field::flux).set(i, random.vector<Dim>(-1.0, 1.0));
   }
+  Random of_passes(23);  // by itself, so that other fields are what they were without
+  particles.allocate({Field::pass_number, Field::pass_tensor});
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    particles.scalar(Field::pass_number)[i] = of_passes.uniform(0.5, 1.5);
+    for (int n = 0; n < TensorField<Dim>::components; ++n)
+      particles.tensor(Field::pass_tensor).component(n)[i] = of_passes.uniform(-1.0, 1.0);
+  }
 }
 
 template <int Dim>
@@ -126,7 +133,7 @@ std::vector<Term> all_terms(SweepKernels const& kernels = sweep_kernels<Dim>(cub
     auto const& loops = of_schemes[s].passes;
     std::size_t n = 0;
     for (PassInfo const& pass : info.first_passes) {
-      int const components = sphverify::info(pass.writes).is_vector ? Dim : 1;
+      int const components = sphverify::info(pass.writes).components(Dim);
       terms.push_back({std::string(info.id) + " " + std::string(pass.name), loops[n++], pass.reads | written, pass.kernel,
                        components, nullptr});
       written.insert(pass.writes);
@@ -277,6 +284,22 @@ class DenseSums {
     if (name == "conduction/brookshaw") {
       return {m * (K_i + K_j) / (rho_i * rho_j) * (T_i - T_j) * r.dot(W) / r.squaredNorm()};
     }
+    double const radial = r.dot(W) / r.squaredNorm();
+    if (name == "conduction/cleary-monaghan") {
+      return {m * 4.0 / (1.0 / K_i + 1.0 / K_j) / (rho_i * rho_j) * (T_i - T_j) * radial};
+    }
+    if (name == "conduction/gamma-brookshaw gamma") return {m / rho_j * value(r.norm(), h)};
+    if (name == "conduction/gamma-brookshaw") return {m * (K_i + K_j) / (rho_i * rho_j) * (T_i - T_j) * radial / s_.number(i)};
+    if (name == "conduction/gmls") return {0.5 * (K_i + K_j) / rho_i * (T_j - T_i) * radial};
+    if (name == "conduction/corrected-flux correction-matrix") {
+      Tensor<Dim> const product = m / rho_j * -r * W.transpose();
+      std::vector<double> elements(TensorField<Dim>::components);
+      for (int l = 0; l < Dim; ++l)
+        for (int k = 0; k <= l; ++k) elements[static_cast<std::size_t>(tensor_index(k, l))] = product(k, l);
+      return elements;
+    }
+    if (name == "conduction/corrected-flux flux") return list(m / rho_j * (T_j - T_i) * W);
+    if (name == "conduction/corrected-flux") return {-m / (rho_i * rho_j) * (F_j - F_i).dot(s_.tensor(i) * W)};
     // What multiplies the whole sum of a first pass is not the sweep's.
     if (name == "conduction/lucy-flux flux") return list(m / rho_j * T_j * W);
     if (name == "conduction/lucy-flux") return {-1.0 / rho_i * m / rho_j * F_j.dot(W)};
@@ -305,6 +328,8 @@ class DenseSums {
     explicit Reader(RandomScene<Dim> const& scene) : dense::State<Dim>(scene), particles_(&scene.particles) {}
     Vector<Dim> F(std::size_t i) const { return particles_->vector(Field::flux)[i]; }
     double c(std::size_t i) const { return particles_->scalar(Field::sound_speed)[i]; }
+    double number(std::size_t i) const { return particles_->scalar(Field::pass_number)[i]; }
+    Tensor<Dim> tensor(std::size_t i) const { return particles_->tensor(Field::pass_tensor)[i]; }
     Particles<Dim> const* particles_;
   };
 
@@ -740,6 +765,9 @@ class HandmadeSweep {
       if (slots_.h >= 0) put(slots_.h, p.smoothing_lengths()[i]);
       put_vector(slots_.v, p.vector(Field::velocity)[i]);
       put_vector(slots_.F, p.vector(Field::flux)[i]);
+      put(slots_.pass_number, p.scalar(Field::pass_number)[i]);
+      for (int n = 0; slots_.pass_tensor >= 0 && n < TensorField<Dim>::components; ++n)
+        record[slots_.pass_tensor + n] = p.tensor(Field::pass_tensor).component(n)[i];
     }
     plan_.slots = slots_;
     plan_.records = records_.data();

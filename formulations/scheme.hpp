@@ -112,8 +112,8 @@ struct SchemeInfo {
   Claims claims = {};
   int supports_seen = 0;  ///< how far it sees, in supports of the kernel; 0: as many as it has passes
   bool control = false;  ///< a yardstick beside the others: shown, never what a comparison recommends
-  /// What its wall terms give is what crosses the wall. Where pairs conserve nothing that can be no more than a part of it: then
-  /// what crosses a wall is known by what the wall prescribes, or closes, alone.
+  /// What its wall terms give is what crosses the wall. Where they are differences, or weights that are no flux, they are no
+  /// more than a part of it: then what crosses a wall is known by the flux that it prescribes alone.
   bool wall_terms_are_exchange = true;
   bool least_squares = false;   ///< its `W.radial()` are not the kernel's but QuadraticWeights
   bool needs_partners = false;  ///< TooFewPartners where a particle sees too few others, or all of them in one direction

@@ -24,7 +24,7 @@ struct CorrectedFlux {
     static auto pair(auto const&, auto const& j, auto const& W) {
       return -j.m() / j.rho() * outer(W.separation(), W.gradient());  // W.separation() is r_i - r_j
     }
-    static auto wall(auto const&, auto const& B) { return (B.d() / B.A() * outer(B.S(), B.S())).eval(); }
+    static auto wall(auto const&, auto const& B) { return (B.d() * outer(B.n(), B.S())).eval(); }
     static auto finish(auto const&, auto const& sum) { return correction_matrix(sum); }
   };
   struct Flux {
@@ -48,7 +48,9 @@ struct CorrectedFlux {
       .equation = "L_i^-1 = sum_j m_j/rho_j (r_j-r_i) (x) grad_i W_ij + (r_B-r_i) (x) S_i\n"
                   "F_i = -K_i L_i [ sum_j m_j/rho_j (T_j-T_i) grad_i W_ij + (T_B-T_i) S_i ]\n"
                   "de_i/dt = -1/rho_i [ sum_j m_j/rho_j (F_j-F_i).L_i grad_i W_ij + (F_B-F_i).L_i S_i ]",
-      .remarks = "Exact where temperature is linear. Conserves nothing, and does not feel what changes from one particle to the next.",
+      .remarks = "Exact where temperature is linear, at walls of given temperature with a closure that is exact there (quotient, one-sided). "
+                 "Conserves nothing, does not feel what changes from one particle to the next, and grows on disorder. With the closure "
+                 "interpolated heat never enters a medium with K = 0 where it is cold.",
       .rate = Rate::conduction_heating,
       .reads = {Field::density},
       .kernel = {KernelWeight::gradient},

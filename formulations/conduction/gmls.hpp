@@ -12,7 +12,8 @@ namespace sphverify {
 ///
 /// s are the weights with which sum s (f - f_i) is the Laplacian of every quadratic f (formulations/least_squares), and with
 /// (K_i + K_j)/2 div(K grad T): of K (T - T_i) + K_i (T - T_i) half the Laplacian. Where the wall prescribes flux and no
-/// temperature its partner is the slope at the foot point, and its term -s_iB F_B.n/rho_i. `W.radial()` is s_ij [m^-2], B.A()
+/// temperature its partner is the slope at the foot point, and its term -s_iB F_B.n/rho_i, which is off by the order of d^2 where K
+/// varies (first order in the rate beside that wall, second in the temperature). `W.radial()` is s_ij [m^-2], B.A()
 /// is s_iB d_i, or s_iB where flux is prescribed [m^-1].
 ///
 /// The yardstick: conserves nothing, and has no maximum principle.
@@ -32,7 +33,7 @@ struct Gmls {
       .boundary = {BoundaryValue::temperature, BoundaryValue::conductivity},
       .boundary_if_prescribed = {BoundaryValue::flux},
       .difference_form = true,
-      .claims = {.lattice_factors = 0, .steady_on_any_particles = true, .mean = ConductivityMean::arithmetic},
+      .claims = {.lattice_factors = 0, .steady_on_any_particles = true},
       .control = true,
       .wall_terms_are_exchange = false,
       .least_squares = true,

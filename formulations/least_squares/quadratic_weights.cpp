@@ -54,9 +54,8 @@ class Partners {
  public:
   Partners(Kernel const& kernel, double h) : kernel_(kernel), h_(h) {}
 
-  void add(Vector<Dim> const& to, double* weight) { add(monomials<Dim>(to / h_), to.norm(), weight, 1.0 / (h_ * h_)); }
-  /// @param scale of what is stored besides
-  void add_foot(Vector<Dim> const& to, double* weight, double scale) {
+  /// @param scale by which the weight is multiplied where it is written
+  void add_value(Vector<Dim> const& to, double* weight, double scale = 1.0) {
     add(monomials<Dim>(to / h_), to.norm(), weight, scale / (h_ * h_));
   }
   void add_slope(Vector<Dim> const& to, Vector<Dim> const& normal, double* weight) {
@@ -101,7 +100,8 @@ class Partners {
   std::vector<Row> rows_;
 };
 
-/// Everything that the weights depend on, besides lists.
+/// Everything that the weights depend on, besides lists and what an operator's geometry never changes: its domain, its kernel, and
+/// what its walls prescribe.
 template <int Dim>
 std::vector<double> places(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry) {
   std::vector<double> all(particles.smoothing_lengths());
@@ -155,7 +155,7 @@ void QuadraticWeights<Dim>::weigh(Particles<Dim> const& particles, int threads) 
   for_each_row(particles.size(), threads, [&](std::size_t i) {
     Partners<Dim> partners(particles.kernel(), own_h.empty() ? particles.smoothing_length() : own_h[i]);
     for (std::size_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k)
-      partners.add(weighted_.domain.nearest_image(x[pairs.neighbour[k]] - x[i]), &pairs.slope[k]);
+      partners.add_value(weighted_.domain.nearest_image(x[pairs.neighbour[k]] - x[i]), &pairs.slope[k]);
     for (std::size_t w = 0; w < weighted_.contacts.size(); ++w) {
       WallContacts<Dim>& contacts = weighted_.contacts[w];
       auto const found = std::ranges::lower_bound(contacts.particle, i);
@@ -164,7 +164,7 @@ void QuadraticWeights<Dim>::weigh(Particles<Dim> const& particles, int threads) 
       if (!weighted_.behind.empty()) {
         WallParticles<Dim>& behind = weighted_.behind[w];
         for (std::size_t k = behind.pairs.first[c]; k < behind.pairs.first[c + 1]; ++k)
-          partners.add(weighted_.domain.nearest_image(behind.particles.positions()[behind.pairs.neighbour[k]] - x[i]),
+          partners.add_value(weighted_.domain.nearest_image(behind.particles.positions()[behind.pairs.neighbour[k]] - x[i]),
                        &behind.pairs.slope[k]);
         continue;
       }
@@ -172,7 +172,7 @@ void QuadraticWeights<Dim>::weigh(Particles<Dim> const& particles, int threads) 
       if (contacts.prescribes_flux_only) {
         partners.add_slope(to, contacts.outward_normal, &contacts.face_weight[c]);
       } else {
-        partners.add_foot(to, &contacts.face_weight[c], contacts.distance[c]);
+        partners.add_value(to, &contacts.face_weight[c], contacts.distance[c]);
       }
     }
     if (partners.solve()) return;
@@ -181,8 +181,8 @@ void QuadraticWeights<Dim>::weigh(Particles<Dim> const& particles, int threads) 
     }
   });
   if (undefined == none) return;
-  throw TooFewPartners("particle " + std::to_string(undefined) + " has too few partners within its support for a quadratic, or all of "
-                      "them on one curve: it takes a larger h/dx");
+  throw TooFewPartners("particle " + std::to_string(undefined) + ": too few partners within its support for a quadratic" +
+                      (Dim > 1 ? ", or all of them on one curve" : "") + ": take a larger h/dx");
 }
 
 template class QuadraticWeights<1>;

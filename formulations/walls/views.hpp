@@ -128,6 +128,7 @@ class WallView {
   WallView(WallContacts<Dim> const& contacts, std::size_t contact) : w_(&contacts), c_(contact) {}
 
   double A() const { return w_->face_weight[c_]; }
+  Vector<Dim> n() const { return w_->outward_normal; }
   Vector<Dim> S() const { return w_->face_weight[c_] * w_->outward_normal; }
   double d() const { return w_->distance[c_]; }
   double rho() const { return w_->foot_density[c_]; }

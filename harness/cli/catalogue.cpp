@@ -58,6 +58,7 @@ Json describe_scheme(SchemeInfo const& s) {
     conserves.push_back("momentum, to round-off between particles");
   if (s.conserves.contains(Invariant::energy)) conserves.push_back("energy, to round-off between particles");
   Json passes = Json::array();
+  if (s.least_squares) passes.push_back("quadratic-weights");
   for (PassInfo const& pass : s.first_passes) passes.push_back(pass.name);
   passes.push_back("rate");
   return {{"equation", s.equation},
@@ -70,7 +71,7 @@ Json describe_scheme(SchemeInfo const& s) {
           {"conserves", conserves},
           {"parameters", Json::array({"walls [on]: on; off, the control without wall terms; or what stands behind them in their place (sphverify list walls)"})},
           {"work_partner", s.work_partner.empty() ? Json(nullptr) : Json(s.work_partner)},
-          {"remarks", std::string(s.remarks) + (s.wall_terms_are_exchange ? "" : " What crosses a wall is not what its wall terms give.")}};
+          {"remarks", std::string(s.remarks) + (s.wall_terms_are_exchange ? "" : " Its wall terms are no more than a part of what crosses a wall: budgets and fluxes there are known only where the walls prescribe a flux.")}};
 }
 
 Json describe_case(CaseInfo const& c) {

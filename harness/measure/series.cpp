@@ -11,6 +11,7 @@
 
 #include "cases/support/case.hpp"
 #include "formulations/basics/parallel.hpp"
+#include "formulations/rate_operator.hpp"
 #include "harness/measure/allowed_order.hpp"
 #include "harness/measure/order.hpp"
 #include "reports/find_error.hpp"
@@ -206,7 +207,10 @@ void measure(Series& series, std::vector<RunRecord> const& runs) {
                                       [&](std::size_t index) { return runs[index].status != "ok"; })) {
     Case const* const found = find_case(series.case_id);
     bool const moving = !series.formulation.work.empty() || (found != nullptr && moves(found->info.kind));
-    measured.emplace(moving ? "velocity" : "temperature", "all");
+    bool const is_rate = found != nullptr && found->info.kind == CaseKind::rates;
+    SchemeInfo const* const scheme = find_scheme(series.formulation.id);
+    std::string_view const field = is_rate && scheme ? info(output_field(scheme->rate)).name : moving ? "velocity" : "temperature";
+    measured.emplace(field, "all");
   }
   for (auto const& [field, region] : measured) {
     for (NormChoice const& norm : norm_choices) {

@@ -163,9 +163,9 @@ class ConductionRun : ConductionIntegration<Dim> {
   void measure_wall_flux() {
     if (!problem_.vectors.contains(Field::flux)) return;
     Scene<Dim>& scene = conduction_.scene();
-    auto const prescribed = scene.prescribed_wall_power(problem_.final_time);
-    if (!scene.exchange_is_known()) return;
-    auto const power = scene.exchanged_power(prescribed);
+    // Else there is none but what the walls prescribe.
+    if (!scene.scheme().wall_terms_are_exchange && !scene.geometry().contacts.empty()) return;
+    auto const power = scene.wall_power();
     auto const areas = scene.wall_areas();
     double scale = 0.0;
     for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -193,7 +193,7 @@ class ConductionRun : ConductionIntegration<Dim> {
     budget.drift = budget.final - budget.initial - budget.exchanged;
     budget.pair_drift = result.quadratures[walls + 1];
     auto const prescribed = conduction_.scene().prescribed_wall_power(problem_.final_time);
-    bool known = !prescribed.empty();
+    bool known = !prescribed.empty() && conduction_.scene().scheme().wall_terms_are_exchange;
     double defect = 0.0;
     for (std::size_t w = 0; w < prescribed.size(); ++w) {
       known = known && prescribed[w].has_value();

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -55,9 +57,12 @@ Number exact_wall_flux(VectorFunction<Dim> const& flux, Wall<Dim> const& wall,
   SmoothingLength const h(particles);
   double sum = 0.0;
   double weight = 0.0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < particles.size(); ++i) nearest = std::min(nearest, wall.distance(particles.positions()[i]));
   for (std::size_t i = 0; i < particles.size(); ++i) {
     Vector<Dim> const x = particles.positions()[i];
-    if (wall.distance(x) >= h.support(i)) continue;
+    // Where none is near the wall the nearest stands for it.
+    if (wall.distance(x) >= std::max(h.support(i), nearest * (1.0 + 1e-12))) continue;
     sum -= volumes[i] * flux(wall.foot(x), time).dot(wall.outward_normal);
     weight += volumes[i];
   }

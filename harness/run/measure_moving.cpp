@@ -17,7 +17,7 @@ constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 template <int Dim>
 void measure_wall_flux(Problem<Dim> const& problem, MovingScene<Dim> const& scene, RunRecord& record) {
-  if (!problem.vectors.contains(Field::flux) || !scene.heat_exchange_is_known()) return;
+  if (!problem.vectors.contains(Field::flux) || !scene.wall_terms_are_exchange()) return;
   auto const& exact = problem.vectors.at(Field::flux);
   double const t = problem.final_time;
   Particles<Dim> const& particles = scene.particles();
@@ -91,7 +91,7 @@ void measure_budgets(Problem<Dim> const& problem, SceneChoice const& choice, Mov
                                     is_known ? wall.prescribed_power : not_known,
                                     is_known ? wall.heat : not_known});
   }
-  if (with_walls && is_known) energy.wall_budget_defect = energy_defect;
+  if (with_walls && is_known && scene.wall_terms_are_exchange()) energy.wall_budget_defect = energy_defect;
   record.conservation["energy"] = energy;
 
   for (int k = 0; k < Dim; ++k) {

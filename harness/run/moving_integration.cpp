@@ -35,7 +35,7 @@ void keep_history(double t, MovingScene<Dim> const& scene, GasBudgets<Dim> const
   for (std::size_t w = 0; w < budgets.walls.size(); ++w) {
     WallExchange<Dim> const& wall = budgets.walls[w];
     history.wall_impulse_defect[w].push_back(wall.force[0] - wall.prescribed_force[0]);
-    history.wall_energy_defect[w].push_back(wall.power - wall.prescribed_power);
+    history.wall_energy_defect[w].push_back(is_known ? wall.power - wall.prescribed_power : std::numeric_limits<double>::quiet_NaN());
   }
 }
 

@@ -80,6 +80,7 @@ class MovingScene {
   std::vector<WallExchange<Dim>> wall_exchange() const;
   /// Whether what crosses the walls as heat is known (SchemeInfo::wall_terms_are_exchange); where not, `heat` is 0.
   bool heat_exchange_is_known() const;
+  bool wall_terms_are_exchange() const { return !conduction_operator_ || conduction_operator_->info().wall_terms_are_exchange; }
   Vector<Dim> source_force() const;
   double source_power() const;
   Vector<Dim> force() const;  ///< of everything together: d/dt sum m v

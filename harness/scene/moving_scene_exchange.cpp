@@ -41,7 +41,8 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
       Vector<Dim> const flux = walls_[w].flux ? walls_[w].flux(contacts.foot[c], time_) : contacts.flux[c];
       return flux.dot(contacts.outward_normal);
     });
-    exchange.heat = conduction_operator_->info().wall_terms_are_exchange ? conduction_wall_power_[w] : prescribed;
+    bool const by_terms = conduction_operator_->info().wall_terms_are_exchange;
+    exchange.heat = by_terms ? conduction_wall_power_[w] : walls_[w].flux ? prescribed : 0.0;
     exchange.power += exchange.heat;
     // A flux that neither the wall nor the closure knows is taken as it is in the scheme.
     exchange.prescribed_power += has_flux ? prescribed : exchange.heat;
@@ -51,12 +52,7 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
 
 template <int Dim>
 bool MovingScene<Dim>::heat_exchange_is_known() const {
-  if (!conduction_operator_ || conduction_operator_->info().wall_terms_are_exchange) return true;
-  for (std::size_t w = 0; w < geometry().contacts.size(); ++w) {
-    WallContacts<Dim> const& contacts = geometry().contacts[w];
-    if (!walls_[w].flux && contacts.flux.size() != contacts.size()) return false;
-  }
-  return true;
+  return !conduction_operator_ || sphverify::heat_exchange_is_known(conduction_operator_->info(), geometry());
 }
 
 template <int Dim>

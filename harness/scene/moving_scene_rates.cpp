@@ -174,7 +174,7 @@ void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
   } catch (TooFewPartners const& error) {
     // At the start it is the study that makes no sense; later it is what the run has come to.
     if (time == 0.0) throw;
-    throw BrokenRun("unstable", fmt::format("{} at t = {:.6g}", error.what(), time));
+    throw BrokenRun("unstable", fmt::format("at t = {:.6g} {}", time, error.what()));
   } catch (UndefinedRate const& error) {
     throw undefined(error);
   }

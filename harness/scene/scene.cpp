@@ -212,9 +212,7 @@ std::vector<double> Scene<Dim>::exchanged_power(std::vector<Number> const& presc
 
 template <int Dim>
 bool Scene<Dim>::exchange_is_known() const {
-  return scheme().wall_terms_are_exchange || geometry_.contacts.empty() || scheme().boundary.contains(BoundaryValue::flux) ||
-         std::all_of(geometry_.walls.begin(), geometry_.walls.end(),
-                     [](Wall<Dim> const& wall) { return wall.prescribes(BoundaryValue::flux); });
+  return heat_exchange_is_known(scheme(), geometry_);
 }
 
 template <int Dim>

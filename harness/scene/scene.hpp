@@ -61,8 +61,8 @@ class Scene {
   /// the scheme knows of no flux there.
   std::vector<Number> prescribed_wall_power(double time);
 
-  /// Power that crosses each wall [W]: by the wall terms, or where these are not what crosses it, by `prescribed`
-  /// (prescribed_wall_power); 0 where that is not known.
+  /// Power that crosses each wall [W]: by the wall terms, or where these are not what crosses it, as `prescribed`
+  /// (prescribed_wall_power) has it; means nothing where `exchange_is_known` is false.
   std::vector<double> exchanged_power(std::vector<Number> const& prescribed) const;
   bool exchange_is_known() const;
 

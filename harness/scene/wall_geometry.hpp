@@ -11,6 +11,7 @@
 #include "cases/support/problem.hpp"
 #include "formulations/particles/domain.hpp"
 #include "formulations/pair_geometry.hpp"
+#include "formulations/scheme.hpp"
 #include "reports/extremes.hpp"
 #include "reports/results.hpp"
 
@@ -48,6 +49,17 @@ template <int Dim>
 void require_closed(Problem<Dim> const& problem) {
   if (Dim == 1 || problem.holds || problem.walls.empty()) return;
   if (auto const side = free_side(problem)) throw std::invalid_argument("the walls do not close: " + *side + " has none");
+}
+
+/// Whether what crosses the walls as heat is known: by a form's wall terms, or where these are no more than a part of it
+/// (SchemeInfo::wall_terms_are_exchange) by the flux that every wall prescribes.
+template <int Dim>
+bool heat_exchange_is_known(SchemeInfo const& scheme, PairGeometry<Dim> const& geometry) {
+  if (scheme.wall_terms_are_exchange) return true;
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
+    if (!geometry.walls[w].flux) return false;
+  }
+  return true;
 }
 
 /// The smallest face weight of any contact [1/m]; empty without contacts.

@@ -81,7 +81,7 @@ std::string without_pair_weight(std::string const& id) {
   if (!scheme) return "";
   if (id.starts_with("plugin/")) return id + " computes its own weights of pairs, from the kernel";
   std::string_view const reason = why_no_pair_weights(*scheme);
-  return reason.empty() ? "" : fmt::format("{} {}", id, reason);
+  return reason.empty() ? "" : fmt::format("pair weight voronoi: {} {}", id, reason);
 }
 
 bool brings_weights(std::string const& id) {
@@ -146,6 +146,12 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
   }
   if (std::string reason = why_not(problem, d.layout); !reason.empty()) return reason;
   if (std::string reason = without_cells(problem, d); !reason.empty()) return reason;
+  if (std::holds_alternative<Problem<1>>(problem) && d.layout.voronoi_masses) {
+    LayoutChoice own = d.layout;
+    own.voronoi_masses = false;
+    if (std::find(study.layouts.begin(), study.layouts.end(), own) != study.layouts.end())
+      return "Voronoi masses are a layout's own in one dimension";
+  }
   if (d.pair_weight == "voronoi") {
     // The kernel is left in what densities and closures sum, and viscosity has its length: one of each stands for all.
     if (d.kernel != study.kernels.front()) return "kernel " + d.kernel + no_smoothing_length;

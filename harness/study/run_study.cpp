@@ -42,8 +42,12 @@ int jobs_that_fit(Expansion const& expansion) {
     double bytes = estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator, problem, run.discretisation.layout,
                                    run.resolution, support_of(run));
     // A list of its own, with a weight beside each index.
-    if (SchemeInfo const* const scheme = find_scheme(run.formulation.id); scheme && scheme->least_squares)
-      bytes += 12.0 * estimated_pairs(problem, run.discretisation.layout, run.resolution, support_of(run));
+    auto const brings = [](std::string const& id) {
+      SchemeInfo const* const scheme = find_scheme(id);
+      return scheme && scheme->least_squares;
+    };
+    if (brings(run.formulation.id) || brings(run.formulation.conduction))
+      bytes += 16.0 * estimated_pairs(problem, run.discretisation.layout, run.resolution, support_of(run));
     largest = std::max(largest, bytes);
   }
   double const jobs = available_memory() / std::max(largest, 1.0);

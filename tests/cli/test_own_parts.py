@@ -104,7 +104,8 @@ class OwnParts(ProgramTest):
         for kernel in ("lucy", "wendland-c2"):
             rates[kernel] = strict_json(self.succeed("evaluate", self.write("state.json", {**state, "kernel": kernel})))
         for scheme, outputs in rates["wendland-c2"]["rates"].items():
-            if "reason" in outputs:  # particles have too few partners for it
+            if "reason" in outputs:  # some particle has too few partners for it
+                self.assertIn(scheme.removesuffix("-no-walls"), ("conduction/gmls", "conduction/corrected-flux"))
                 continue
             for key, values in outputs.items():
                 found, expected = flat(rates["lucy"]["rates"][scheme][key]), flat(values)

@@ -39,11 +39,11 @@ def form(name, formulation, walls="on", pair_weight="kernel"):
     return Series(name, formulation=f"conduction/{formulation}", walls=walls, pair_weight=pair_weight)
 
 
-BROOKSHAW, BY_CELLS = form("Brookshaw, kernel", "brookshaw"), form("Brookshaw, Voronoi cells", "brookshaw", pair_weight="voronoi")
-LEAST_SQUARES = form("quadratic least squares", "gmls")
+BROOKSHAW, BY_CELLS = form("Brookshaw", "brookshaw"), form("Brookshaw, Voronoi", "brookshaw", pair_weight="voronoi")
+LEAST_SQUARES = form("least squares", "gmls")
 CORRECTED = form("corrected gradients", "corrected-flux")
-OVER_GAMMA = form("Brookshaw over Gamma", "gamma-brookshaw")
-AT_WALLS = [BROOKSHAW, form("Brookshaw, mirror particles", "brookshaw", "mirror"), OVER_GAMMA, CORRECTED, LEAST_SQUARES, BY_CELLS]
+OVER_GAMMA = form("over Gamma", "gamma-brookshaw")
+AT_WALLS = [BROOKSHAW, form("Brookshaw, mirror", "brookshaw", "mirror"), OVER_GAMMA, CORRECTED, LEAST_SQUARES, BY_CELLS]
 
 
 def beside_each_other(document, table, scenes):
@@ -85,7 +85,7 @@ def heat_by_wall(document):
 def energy(document):
     table = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, form("Lucy", "lucy-flux"), BY_CELLS]
     case = {"case": "conduction/slab-insulated"}
-    return plots.energy_made(document, table, {"lattice": {**case, "layout": "lattice"},
+    return plots.energy_made(document, table, {"displaced by up to 0.1 dx": {**case, "layout": "jitter 0.1"},
                                                "displaced by up to 0.3 dx": {**case, "layout": "jitter 0.3"}})
 
 
@@ -96,25 +96,25 @@ def time_3d(document):
 
 @figure("heat-jumps-1d")
 def jumps(document):
-    table = [BROOKSHAW, form("harmonic mean, kernel", "cleary-monaghan"), LEAST_SQUARES, BY_CELLS,
-             form("harmonic mean, Voronoi cells", "cleary-monaghan", pair_weight="voronoi")]
+    table = [BROOKSHAW, form("harmonic mean", "cleary-monaghan"), LEAST_SQUARES, BY_CELLS,
+             form("harmonic, Voronoi", "cleary-monaghan", pair_weight="voronoi")]
     where = {"case": "extreme/conductivity-contrast", "resolution": 200, "closure": "one-sided"}
     return plots.error_against_parameter(document, table, {"lattice": {**where, "layout": "lattice"},
                                                            "displaced by up to 0.3 dx": {**where, "layout": "jitter 0.3"}},
                                          "contrast", "ratio of the conductivities")
 
 
-KERNELS = [Series(kernel, kernel=kernel)
+KERNELS = [Series(kernel, kernel=kernel, label="conduction/brookshaw", case="conduction/slab-dirichlet")
            for kernel in ("cubic-spline", "quintic-spline", "wendland-c2", "wendland-c4", "wendland-c6")]
 
 
-@figure("kernels-1d")
+@figure("heat-kernels-1d")
 def kernels(document):
     drawn, axes = style.panels(2, sharey=True)
-    for panel, layout in zip(axes, ("lattice", "jitter 0.1")):
+    for panel, layout in zip(axes, ("lattice", "jitter 0.3")):
         plots.curves(panel, document, KERNELS, {"layout": layout, "resolution": 200}, along="smoothing_ratio")
         panel.set(yscale="log", xlabel="h/dx", title=f"{layout}, N = 200")
-        style.plain_numbers(panel.xaxis, [1.2, 1.5, 1.8, 2.3])
+        style.plain_numbers(panel.xaxis, [1.0, 1.2, 1.5, 1.8, 2.3])
         style.plain_numbers(panel.yaxis)
     axes[0].set_ylabel("l2 error, relative")
     style.legend(drawn, columns=3)

@@ -87,7 +87,7 @@ BOOST_AUTO_TEST_CASE(neighbours_in_one_direction_are_refused_by_name) {
   scene.domain.lower[1] *= 100.0;
   scene.domain.upper[1] *= 100.0;
   BOOST_CHECK_EXCEPTION(evaluate(scene, id, geometry_of(scene)), TooFewPartners, [](TooFewPartners const& error) {
-    return std::string(error.what()) == "particle 0: its neighbours do not span space";
+    return std::string(error.what()) == "particle 0: its neighbours do not span space: take a larger h/dx";
   });
 }
 

@@ -115,4 +115,28 @@ BOOST_AUTO_TEST_CASE(reordering_moves_positions_and_volumes_together) {
   }
 }
 
+/// Means and variances of uniform deviates, as many in either half of every axis, and axes that know nothing of each other.
+BOOST_AUTO_TEST_CASE_TEMPLATE(random_places_are_uniform_and_independent, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Domain<Dim> const domain = box<Dim>();
+  Layout<Dim> const layout = at_random(domain, Dim == 1 ? 4000 : Dim == 2 ? 90 : 20, 3);
+  auto const n = static_cast<double>(layout.positions.size());
+  BOOST_TEST(total(layout) == domain.extent().prod(), tolerance(1e-12));
+  double const allowed = 4.0 / std::sqrt(12.0 * n);  // standard deviations of a mean
+  Matrix<Dim> products = Matrix<Dim>::Zero();
+  Vector<Dim> mean = Vector<Dim>::Zero();
+  for (std::size_t i = 0; i < layout.positions.size(); ++i) {
+    Vector<Dim> const u = (layout.positions[i] - domain.lower).cwiseQuotient(domain.extent()) - Vector<Dim>::Constant(0.5);
+    BOOST_TEST_REQUIRE(u.cwiseAbs().maxCoeff() < 0.5);
+    mean += u / n;
+    products += u * u.transpose() / n;
+  }
+  for (int k = 0; k < Dim; ++k) {
+    BOOST_TEST(std::abs(mean[k]) < allowed);
+    for (int l = 0; l < Dim; ++l) BOOST_TEST(std::abs(products(k, l) - (k == l ? 1.0 / 12.0 : 0.0)) < allowed);
+  }
+  BOOST_TEST(!same_bits(at_random(domain, 8, 4).positions.component(0), at_random(domain, 8, 5).positions.component(0)));
+  BOOST_TEST(same_bits(at_random(domain, 8, 4).positions.component(0), at_random(domain, 8, 4).positions.component(0)));
+}
+
 BOOST_AUTO_TEST_SUITE_END()

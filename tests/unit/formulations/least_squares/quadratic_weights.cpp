@@ -97,9 +97,38 @@ BOOST_AUTO_TEST_CASE(weights_are_kept_until_something_moves) {
   scene.particles.positions().add(7, Vector<2>(1e-4, 0.0));
   BOOST_TEST(changed());
   scene.particles.positions().add(7, Vector<2>(-1e-4, 0.0));
-  for (double& d : geometry.contacts[1].distance) d += 1e-3;
+  BOOST_TEST(!changed());  // found anew where they were
+  double const place = geometry.contacts[1].foot.component(0)[0];
   geometry.contacts[1].foot.component(0)[0] += 1e-3;
-  BOOST_TEST(changed());
+  PairGeometry<2> const& moved = weights.on(scene.particles, geometry, 1);
+  BOOST_TEST(moved.contacts[1].foot.component(0)[0] != place);
+  BOOST_TEST(changed());  // of a particle's pairs beside that wall
+  geometry.contacts[1].foot.component(0)[0] = place;
+  BOOST_TEST(!changed());
+  geometry.contacts[1].distance[0] *= 2.0;
+  double const before_wall = weights.last().contacts[1].face_weight[0];
+  BOOST_TEST(weights.on(scene.particles, geometry, 1).contacts[1].face_weight[0] == 2.0 * before_wall);
+}
+
+BOOST_AUTO_TEST_CASE(every_particle_goes_by_its_own_smoothing_length) {
+  RandomScene<2> scene = box<2>(0.2, false);
+  PairGeometry<2> const geometry = geometry_of(scene);
+  RandomScene<2> own = scene;
+  own.particles.vary_smoothing_length();
+  QuadraticWeights<2> common, each;
+  auto const weights_in = [&](QuadraticWeights<2>& weights, RandomScene<2> const& of) {
+    auto const& now = weights.on(of.particles, geometry, 1).neighbours.slope;
+    return std::vector<double>(now.begin(), now.end());
+  };
+  std::vector<double> const alike = weights_in(common, scene);
+  BOOST_TEST(same_bits(weights_in(each, own), alike));
+  own.particles.smoothing_lengths()[5] *= 0.9;
+  std::vector<double> const varied = weights_in(each, own);
+  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+    bool same = true;
+    for (std::size_t k = geometry.neighbours.first[i]; k < geometry.neighbours.first[i + 1]; ++k) same = same && varied[k] == alike[k];
+    BOOST_TEST(same == (i != 5), i);
+  }
 }
 
 BOOST_AUTO_TEST_CASE(does_not_depend_on_threads) {
@@ -114,7 +143,7 @@ BOOST_AUTO_TEST_CASE(does_not_depend_on_threads) {
 BOOST_AUTO_TEST_CASE_TEMPLATE(too_few_partners_or_all_on_one_line_are_refused_by_number, D, Dimensions) {
   constexpr int Dim = D::value;
   auto const names = [](std::string const& who) {
-    return [who](TooFewPartners const& error) { return std::string(error.what()).starts_with(who + " has too few partners"); };
+    return [who](TooFewPartners const& error) { return std::string(error.what()).starts_with(who + ": too few partners"); };
   };
   RandomScene<Dim> scene = box<Dim>(0.0, false);
   scene.walls.clear();

@@ -124,7 +124,8 @@ BOOST_AUTO_TEST_CASE(cells_of_more_dimensions_hold_all_mass_on_both_sides_of_a_j
                                        {"clumped", 0.1},
                                        {"touching", 0.01},
                                        {"hexagonal"},
-                                       {"glass", 0.0, 1}})
+                                       {"glass", 0.0, 1},
+                                       {"random", 0.0, 1}})
       check(square, layout, N);
   }
   auto const cube = problem_of<3>("extreme/density-contrast", {{"dimension", 3.0}, {"contrast", contrast}});

@@ -12,7 +12,7 @@ using namespace sphverify::tests;
 
 std::vector<LayoutChoice> const all_layouts{{"lattice"},         {"jittered", 0.2, 1}, {"clumped", 0.1},
                                             {"touching", 1e-12}, {"equal-mass"},       {"hexagonal"},
-                                            {"close-packed"},    {"glass", 0.0, 1}};
+                                            {"close-packed"},    {"glass", 0.0, 1}, {"random", 0.0, 1}};
 
 template <int Dim>
 Problem<Dim> problem() {

@@ -183,7 +183,8 @@ BOOST_AUTO_TEST_CASE(every_layout_reads_back_with_what_belongs_to_it) {
                                      {"equal-mass"},
                                      {"hexagonal"},
                                      {"close-packed"},
-                                     {"glass", 0.0, 9}}) {
+                                     {"glass", 0.0, 9},
+                                     {"random", 0.0, 9}}) {
     RunRecord run = full_run();
     run.discretisation.layout = layout;
     BOOST_TEST((read_run(Node(to_json(run), "f")).discretisation.layout == layout), layout.id);

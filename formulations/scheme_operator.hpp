@@ -38,7 +38,8 @@ class SchemeOperator final : public RateOperator<Dim> {
       if (n < last && is_frozen_) return;
       fill_boundaries<n>(particles, geometry, closure, time);
       if constexpr (has_own_weights) {
-        PairGeometry<Dim>& weighted = weights_.on(particles, geometry, threads);
+        // Frozen, nothing has moved: what is held is right, and not looked at again.
+        PairGeometry<Dim>& weighted = is_frozen_ ? weights_.last() : weights_.on(particles, geometry, threads);
         fill_boundaries<n>(particles, weighted, closure, time);
         PairSweep<Dim> own(weighted.neighbours, weighted.domain, threads);
         add_pass<n>(particles, weighted, time, threads, own);
@@ -88,7 +89,7 @@ class SchemeOperator final : public RateOperator<Dim> {
     }
   }
 
-  std::size_t bytes() const override { 
+  std::size_t bytes() const override {
     if constexpr (has_own_weights) return conductance_.capacity() * sizeof(double) + weights_.bytes();
     return conductance_.capacity() * sizeof(double);
   }

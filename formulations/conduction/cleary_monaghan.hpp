@@ -22,7 +22,8 @@ struct ClearyMonaghan {
       .equation = "de_i/dt = sum_j m_j/(rho_i rho_j) 4 K_i K_j/(K_i+K_j) (T_i-T_j) (r_ij.grad_i W_ij)/r_ij^2"
                   " + 4 K_i K_B/((K_i+K_B) rho_i) (T_B-T_i)/d_i A_i\n"
                   "where the wall prescribes flux only, its term is -2 F_B.S_i/rho_i (ours)",
-      .remarks = "For conductivities that jump. A pair of which one does not conduct exchanges nothing: heat never enters a medium "
+      .remarks = "For conductivities that jump, with faces of cells: beside the kernel's weights the mean cannot be seen. Real, negative "
+                 "spectrum on any particles; conduction/brookshaw where K is uniform. A pair of which one does not conduct exchanges nothing: heat never enters a medium "
                  "with K = 0 where it is cold.",
       .rate = Rate::conduction_heating,
       .reads = {Field::density, Field::temperature, Field::conductivity},

@@ -25,7 +25,7 @@ struct Gmls {
       .equation = "de_i/dt = 1/rho_i [ sum_j (K_i+K_j)/2 s_ij (T_j-T_i) + (K_i+K_B)/2 s_iB (T_B-T_i) ],"
                   " sum s (f-f_i) the Laplacian of every quadratic f\n"
                   "where the wall prescribes flux only, its partner is the slope there, and its term -s_iB F_B.n/rho_i",
-      .remarks = "A yardstick for accuracy: conserves nothing, and heat may flow from cold to hot. Needs as many partners as a quadratic "
+      .remarks = "A yardstick for accuracy, shown among the controls: conserves nothing, and heat may flow from cold to hot. Needs as many partners as a quadratic "
                  "has coefficients.",
       .rate = Rate::conduction_heating,
       .reads = {Field::density, Field::temperature, Field::conductivity},

@@ -23,6 +23,7 @@ class QuadraticWeights {
   PairGeometry<Dim>& on(Particles<Dim> const& particles, PairGeometry<Dim> const& geometry, int threads);
 
   /// What `on` gave last.
+  PairGeometry<Dim>& last() { return weighted_; }
   PairGeometry<Dim> const& last() const { return weighted_; }
 
   std::size_t bytes() const { return weighted_.bytes() + places_.capacity() * sizeof(double); }

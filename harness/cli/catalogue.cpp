@@ -71,7 +71,7 @@ Json describe_scheme(SchemeInfo const& s) {
           {"conserves", conserves},
           {"parameters", Json::array({"walls [on]: on; off, the control without wall terms; or what stands behind them in their place (sphverify list walls)"})},
           {"work_partner", s.work_partner.empty() ? Json(nullptr) : Json(s.work_partner)},
-          {"remarks", std::string(s.remarks) + (s.wall_terms_are_exchange ? "" : " Its wall terms are no more than a part of what crosses a wall: budgets and fluxes there are known only where the walls prescribe a flux.")}};
+          {"remarks", std::string(s.remarks) + (s.wall_terms_are_exchange ? "" : " What crosses a wall cannot be read from its wall terms: budgets are given only where walls prescribe a flux, fluxes at walls not at all.")}};
 }
 
 Json describe_case(CaseInfo const& c) {

@@ -35,15 +35,16 @@ WALLS = [
 VORONOI = Series("Voronoi weights", walls="on", pair_weight="voronoi")
 
 
-def form(name, formulation, walls="on", pair_weight="kernel"):
-    return Series(name, formulation=f"conduction/{formulation}", walls=walls, pair_weight=pair_weight)
+def form(name, look, formulation, walls="on", pair_weight="kernel"):
+    return Series(name, look, formulation=f"conduction/{formulation}", walls=walls, pair_weight=pair_weight)
 
 
-BROOKSHAW, BY_CELLS = form("Brookshaw", "brookshaw"), form("Brookshaw, Voronoi", "brookshaw", pair_weight="voronoi")
-LEAST_SQUARES = form("least squares", "gmls")
-CORRECTED = form("corrected gradients", "corrected-flux")
-OVER_GAMMA = form("over Gamma", "gamma-brookshaw")
-AT_WALLS = [BROOKSHAW, form("Brookshaw, mirror", "brookshaw", "mirror"), OVER_GAMMA, CORRECTED, LEAST_SQUARES, BY_CELLS]
+BROOKSHAW, BY_CELLS = form("Brookshaw", 0, "brookshaw"), form("Brookshaw, Voronoi", 5, "brookshaw", pair_weight="voronoi")
+LEAST_SQUARES = form("least squares", 4, "gmls")
+CORRECTED = form("corrected gradients", 3, "corrected-flux")
+OVER_GAMMA = form("over Gamma", 2, "gamma-brookshaw")
+LUCY = form("Lucy", 1, "lucy-flux")
+AT_WALLS = [BROOKSHAW, form("Brookshaw, mirror", 1, "brookshaw", "mirror"), OVER_GAMMA, CORRECTED, LEAST_SQUARES, BY_CELLS]
 
 
 def beside_each_other(document, table, scenes):
@@ -83,7 +84,7 @@ def heat_by_wall(document):
 
 @figure("heat-1d")
 def energy(document):
-    table = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, form("Lucy", "lucy-flux"), BY_CELLS]
+    table = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, LUCY, BY_CELLS]
     case = {"case": "conduction/slab-insulated"}
     return plots.energy_made(document, table, {"displaced by up to 0.1 dx": {**case, "layout": "jitter 0.1"},
                                                "displaced by up to 0.3 dx": {**case, "layout": "jitter 0.3"}})
@@ -91,13 +92,17 @@ def energy(document):
 
 @figure("heat-time-3d")
 def time_3d(document):
-    return plots.error_against_time(document, [BROOKSHAW, LEAST_SQUARES, BY_CELLS], {"cube, displaced by up to 0.3 dx": {}})
+    def at(series, look, ratio):
+        return Series(f"{series.name}, h/dx = {ratio:g}", look, smoothing_ratio=ratio, **series.traits)
+
+    table = [at(BROOKSHAW, 0, 1.2), at(BROOKSHAW, 1, 2.0), at(LEAST_SQUARES, 4, 1.2), BY_CELLS]
+    return plots.error_against_time(document, table, {"cube, displaced by up to 0.3 dx": {}})
 
 
 @figure("heat-jumps-1d")
 def jumps(document):
-    table = [BROOKSHAW, form("harmonic mean", "cleary-monaghan"), LEAST_SQUARES, BY_CELLS,
-             form("harmonic, Voronoi", "cleary-monaghan", pair_weight="voronoi")]
+    table = [BROOKSHAW, form("harmonic mean", 1, "cleary-monaghan"), LEAST_SQUARES, BY_CELLS,
+             form("harmonic, Voronoi", 2, "cleary-monaghan", pair_weight="voronoi")]
     where = {"case": "extreme/conductivity-contrast", "resolution": 200, "closure": "one-sided"}
     return plots.error_against_parameter(document, table, {"lattice": {**where, "layout": "lattice"},
                                                            "displaced by up to 0.3 dx": {**where, "layout": "jitter 0.3"}},
@@ -154,7 +159,7 @@ def gas_at_rest(document):
     return drawn
 
 
-STABLE = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, form("Lucy", "lucy-flux"), form("Campbell", "campbell-flux")]
+STABLE = [BROOKSHAW, OVER_GAMMA, CORRECTED, LEAST_SQUARES, LUCY, form("Campbell", 5, "campbell-flux")]
 
 
 @figure("heat-stability-1d")
@@ -163,7 +168,7 @@ def spectrum(document):
     layouts = [f"jitter {amplitude}" for amplitude in (0.1, 0.3, 0.45)]
     for panel, ratio in zip(axes, (1.2, 2.0)):
         for index, series in enumerate(STABLE):
-            look = {**style.look(index), "linestyle": "none"}
+            look = {**style.look(series.look), "linestyle": "none"}
             numbers = [max(filter(None, map(results.growth, series.runs(document, {"case": "conduction/slab-dirichlet",
                            "layout": layout, "smoothing_ratio": ratio}))), default=math.nan) for layout in layouts]  # fmt: skip
             (line,) = panel.plot([at + 0.12 * (index - 2.5) for at in range(3)], numbers, label=series.name, **look)

@@ -6,10 +6,11 @@ from . import results, style
 
 
 class Series:
-    """Series("mirror", walls="mirror", pair_weight="kernel")"""
+    """Series("mirror", walls="mirror", pair_weight="kernel"); `look` is one of style.look's, for a form that several
+    figures show alike."""
 
-    def __init__(self, name, **traits):
-        self.name, self.traits = name, traits
+    def __init__(self, name, look=None, **traits):
+        self.name, self.look, self.traits = name, look, traits
 
     def runs(self, document, where):
         wanted = {**where, **self.traits}
@@ -30,7 +31,7 @@ def curves(axes, document, table, where, along="resolution", y=None, x=None, mid
     for index, series in enumerate(table):
         points = series.points(document, where, along=along, y=y or results.error(), x=x, middle=middle)
         shown = [point for point in points if math.isfinite(point.x) and math.isfinite(point.y)]
-        look = style.look(index)
+        look = style.look(index if series.look is None else series.look)
         (line,) = axes.plot([p.x for p in shown], [p.y for p in shown], label=series.name, **look)
         line.set_gid(f"series-{index}")
         if any(p.low < p.high for p in shown):
@@ -71,7 +72,7 @@ def error_against_time(document, table, scenes, along="resolution"):
         style.plain_numbers(panel.xaxis)
         style.plain_numbers(panel.yaxis)
     axes[0].set_ylabel("l2 error, relative")
-    style.legend(figure)
+    style.legend(figure, columns=2)
     return figure
 
 

@@ -43,7 +43,10 @@ void measure_budget(Measuring& measuring, Measured& m) {
   Number worst;
   for (Budget const& b : budgets) {
     Number const part = part_of(b, gate.what);
-    if (!part || !std::isfinite(*part)) return put(m, std::nullopt, gate.what + " is null");
+    if (!part || !std::isfinite(*part)) {
+      bool const is_open = std::isnan(b.exchanged);
+      return put(m, std::nullopt, gate.what + (is_open ? " is null: what crossed the walls is not known" : " is null"));
+    }
     worst = std::max(worst.value_or(0.0), std::abs(*part));
   }
   m.round_off = gate.relative ? rounding : rounding * scale;
@@ -56,7 +59,7 @@ void measure_wall_flux(Measuring& measuring, Measured& m) {
   Gate const& gate = measuring.gate;
   std::set<std::string> walls;
   for (std::size_t k = 0; k < m.run->wall_flux.size(); ++k) walls.insert(fmt::format("{}", k));
-  m.problem = "no flux of this wall";
+  m.problem = walls.empty() ? "no flux through any wall is known" : "no flux of this wall";
   if (gate.wall && !measuring.name("wall", fmt::format("{}", *gate.wall), walls)) return;
   if (!measuring.name("measure", "wall_flux",
                       walls.empty() ? std::set<std::string>{} : std::set<std::string>{"wall_flux"})) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "formulations/rate_operator.hpp"
 #include "harness/scene/place.hpp"
 
 namespace sphverify {
@@ -75,6 +76,15 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
                 neighbours * (per_pair + per_interpolated * contacts_per_particle(p, resolution, support)));
       },
       problem);
+}
+
+double bytes_of_weights(FormulationChoice const& formulation, AnyProblem const& problem, LayoutChoice const& layout,
+                        int resolution, double support) {
+  for (std::string const& id : {formulation.id, formulation.conduction}) {
+    SchemeInfo const* const scheme = find_scheme(id);
+    if (scheme && scheme->least_squares) return 16.0 * estimated_pairs(problem, layout, resolution, support);
+  }
+  return 0.0;
 }
 
 }  // namespace sphverify

@@ -28,4 +28,9 @@ double estimated_particles(AnyProblem const& problem, LayoutChoice const& layout
 /// @param support of the kernel at this resolution [dx]
 double estimated_pairs(AnyProblem const& problem, LayoutChoice const& layout, int resolution, double support);
 
+/// What a form of heat conduction that brings pair weights of its own keeps besides: a second list, with a weight beside each
+/// index [bytes]; 0 for all others.
+double bytes_of_weights(FormulationChoice const& formulation, AnyProblem const& problem, LayoutChoice const& layout,
+                        int resolution, double support);
+
 }  // namespace sphverify

@@ -12,7 +12,6 @@
 
 #include "formulations/basics/fork_join.hpp"
 #include "formulations/kernels/kernel.hpp"
-#include "formulations/rate_operator.hpp"
 #include "harness/measure/series.hpp"
 #include "harness/measure/surface.hpp"
 #include "harness/study/available_memory.hpp"
@@ -39,15 +38,10 @@ int jobs_that_fit(Expansion const& expansion) {
   double largest = 0.0;
   for (RunSpec const& run : expansion.runs) {
     AnyProblem const problem = run.scene_case->problem(run.parameters);
-    double bytes = estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator, problem, run.discretisation.layout,
-                                   run.resolution, support_of(run));
-    // A list of its own, with a weight beside each index.
-    auto const brings = [](std::string const& id) {
-      SchemeInfo const* const scheme = find_scheme(id);
-      return scheme && scheme->least_squares;
-    };
-    if (brings(run.formulation.id) || brings(run.formulation.conduction))
-      bytes += 16.0 * estimated_pairs(problem, run.discretisation.layout, run.resolution, support_of(run));
+    double const support = support_of(run);
+    double const bytes =
+        estimated_bytes(run.scene_case->info.kind, run.discretisation.integrator, problem, run.discretisation.layout, run.resolution, support) +
+        bytes_of_weights(run.formulation, problem, run.discretisation.layout, run.resolution, support);
     largest = std::max(largest, bytes);
   }
   double const jobs = available_memory() / std::max(largest, 1.0);

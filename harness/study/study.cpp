@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "harness/scene/choices.hpp"
@@ -120,8 +121,10 @@ void require_memory(Study const& study, Node const& document) {
     char const* const integrator = leapfrog ? "leapfrog" : "runge-kutta";
     for (LayoutChoice const& layout : study.layouts) {
       if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
-      double const bytes =
-          estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, support);
+      double weights = std::numeric_limits<double>::infinity();
+      for (FormulationChoice const& formulation : study.formulations)
+        weights = std::min(weights, bytes_of_weights(formulation, problem, layout, finest, support));
+      double const bytes = estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, support) + weights;
       if (bytes <= memory) continue;
       throw UserError(
           document.file(), "resolution",

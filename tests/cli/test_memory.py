@@ -33,6 +33,8 @@ RUNS = (
     ("rates in 2D", sine(2), "conduction/brookshaw", None, 2, 300, 1.2),
     ("conduction in 3D", {"id": "conduction/cube", "parameters": {"final_time": 1e-5}}, "conduction/brookshaw", None, 3, 40, 1.2),
     ("conduction in 2D", {"id": "conduction/square", "parameters": {"final_time": 1e-5}}, "conduction/brookshaw", None, 2, 200, 1.2),
+    ("least squares in 3D", {"id": "conduction/cube", "parameters": {"final_time": 1e-5}}, "conduction/gmls", None, 3, 40, 1.2),
+    ("least squares in 2D", {"id": "conduction/square", "parameters": {"final_time": 1e-5}}, "conduction/gmls", None, 2, 200, 1.2),
     ("Runge-Kutta in 3D, no walls", gas(3, "periodic"), "momentum/sqrt-p", "runge-kutta", 3, 32, 1.2),
     ("Runge-Kutta in 3D", gas(3, "velocity"), "momentum/sqrt-p", "runge-kutta", 3, 32, 1.2),
     ("Runge-Kutta in 2D", gas(2, "velocity"), "momentum/sqrt-p", "runge-kutta", 2, 200, 1.2),

@@ -73,7 +73,8 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   void freeze(Particles<Dim>& particles, PairGeometry<Dim>& geometry, int threads) override {
     if constexpr (Scheme::info.difference_form) {
-      static_assert(!first_reads.contains(Field::temperature), "a difference form's first passes know of no temperature");
+      static_assert(!first_reads.contains(Field::temperature) && first_boundary.empty(),
+                    "a difference form's first passes run once where particles rest: they read no temperature and nothing of walls");
       WorkCount uncounted;
       for (int pass = 0; pass < static_cast<int>(last); ++pass) {
         PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
@@ -120,6 +121,11 @@ class SchemeOperator final : public RateOperator<Dim> {
     FieldSet reads;
     for (PassInfo const& pass : Scheme::info.first_passes) reads = reads | pass.reads;
     return reads;
+  }();
+  static constexpr BoundaryValueSet first_boundary = [] {
+    BoundaryValueSet values;
+    for (PassInfo const& pass : Scheme::info.first_passes) values = values | pass.boundary;
+    return values;
   }();
 
   /// Calls act.operator()<n>() for the pass of that number.

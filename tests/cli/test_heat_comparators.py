@@ -131,6 +131,14 @@ class Comparators(ProgramTest):
         self.assertEqual(found[GMLS]["status"], "invalid")
         self.assertRegex(found[GMLS]["reason"], r"^particle \d+: too few partners within its support for a quadratic: take a larger h/dx$")
 
+    def test_a_gas_that_loses_partners_on_its_way_says_when(self):
+        """Without walls the gas runs away from the ends, where the outermost particle is left with one partner."""
+        results = self.results("coupled/manufactured", [{"id": "momentum/p-rho2", "conduction": GMLS, "walls": "off"}], [25],
+                               {"density": "summation"}, time_budget=20)  # fmt: skip
+        (run,) = results["runs"]
+        self.assertEqual(run["status"], "unstable")
+        self.assertRegex(run["reason"], r"^at t = 0\.\d+ particle \d+: too few partners within its support for a quadratic: take a larger h/dx")
+
     def test_weights_of_its_own_stand_beside_no_others(self):
         results = self.results(SLAB, [GMLS, "conduction/gamma-brookshaw", "conduction/brookshaw"], [20],
                                {"pair_weight": ["kernel", "voronoi"], "face_weight": ["exact", "balanced"]})  # fmt: skip

@@ -281,6 +281,32 @@ class State {
   RandomScene<Dim> const* s_;
 };
 
+/// Brookshaw's difference form (Eq. 63) with some mean of two conductivities; at a wall of prescribed flux only -2 F_B.S_i/rho_i.
+template <int Dim, class Mean>
+std::vector<double> difference_form(State<Dim> const& s, bool with_walls, Mean const& mean) {
+  std::vector<double> rate(s.particles(), 0.0);
+  for (std::size_t i = 0; i < s.particles(); ++i) {
+    for (std::size_t j = 0; j < s.particles(); ++j) {
+      if (j == i) continue;
+      Vector<Dim> const r = s.x(i) - s.x(j);
+      rate[i] += 2.0 * s.m(j) * mean(s.K(i), s.K(j)) / (s.rho(i) * s.rho(j)) * (s.T(i) - s.T(j)) *
+                 r.dot(s.gradient(i, j)) / r.squaredNorm();
+    }
+    for (std::size_t w = 0; with_walls && w < s.walls(); ++w) {
+      if (!s.touches(i, w)) continue;
+      if (s.flux_only(w)) {
+        rate[i] -= 2.0 * s.F(i, w, {}).dot(s.S(i, w)) / s.rho(i);
+      } else {
+        rate[i] += 2.0 * mean(s.K(i), s.K(i, w)) / s.rho(i) * (s.T(i, w) - s.T(i)) / s.d(i, w) * s.A(i, w);
+      }
+    }
+  }
+  return rate;
+}
+
+/// The mean of Eq. 63.
+inline double arithmetic(double a, double b) { return 0.5 * (a + b); }
+
 /// The scenes on which a scheme must agree with its equation: every subset of prescribed values, every face
 /// weight, both closures, with and without walls.
 template <int Dim, class Compare>

@@ -19,24 +19,8 @@ double gamma(dense::State<Dim> const& s, std::size_t i) {
 
 template <int Dim>
 std::vector<double> equation(dense::State<Dim> const& s, bool with_walls) {
-  std::vector<double> rate(s.particles(), 0.0);
-  for (std::size_t i = 0; i < s.particles(); ++i) {
-    for (std::size_t j = 0; j < s.particles(); ++j) {
-      if (j == i) continue;
-      Vector<Dim> const r = s.x(i) - s.x(j);
-      rate[i] += s.m(j) * (s.K(i) + s.K(j)) / (s.rho(i) * s.rho(j)) * (s.T(i) - s.T(j)) *
-                 r.dot(s.gradient(i, j)) / r.squaredNorm();
-    }
-    for (std::size_t w = 0; with_walls && w < s.walls(); ++w) {
-      if (!s.touches(i, w)) continue;
-      if (s.flux_only(w)) {
-        rate[i] -= 2.0 * s.F(i, w, {}).dot(s.S(i, w)) / s.rho(i);
-      } else {
-        rate[i] += (s.K(i) + s.K(i, w)) / s.rho(i) * (s.T(i, w) - s.T(i)) / s.d(i, w) * s.A(i, w);
-      }
-    }
-    rate[i] /= gamma(s, i);
-  }
+  std::vector<double> rate = dense::difference_form(s, with_walls, dense::arithmetic);
+  for (std::size_t i = 0; i < rate.size(); ++i) rate[i] /= gamma(s, i);
   return rate;
 }
 

@@ -10,7 +10,7 @@
 #include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/neighbours/locality.hpp"
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 
 namespace sphverify::bench {
 
@@ -69,12 +69,12 @@ class Cube {
 /// One sweep of several terms, as a moving gas makes it.
 struct GasSweep {
   std::vector<std::unique_ptr<RateOperator<3>>> operators;
-  MonaghanViscosity viscosity;
+  Viscosity viscosity;
   ViscousRates<3> rates;
   bool drifts;
 
   GasSweep(std::vector<std::string> const& ids, double alpha, double beta, bool continuity, bool drift)
-      : viscosity{alpha, beta}, drifts(drift) {
+      : viscosity(MonaghanViscosity{alpha, beta}), drifts(drift) {
     for (std::string const& id : ids) operators.push_back(make_rate_operator<3>(id));
     if (continuity) operators.push_back(make_continuity_operator<3>());
   }
@@ -83,7 +83,7 @@ struct GasSweep {
     for (auto const& one : operators) {
       one->begin_pass(0, cube.particles, cube.geometry, Closure::interpolated, 0.0, threads, sweep);
     }
-    if (viscosity.is_on()) add_viscosity(viscosity, cube.particles, sweep, rates);
+    if (is_on(viscosity)) add_viscosity(viscosity, cube.particles, sweep, rates);
     sweep.run(cube.particles, drifts ? &cube.particles.vector(Field::velocity) : nullptr);
     for (auto const& one : operators) one->end_pass(0, cube.particles, cube.geometry, cube.work);
   }

@@ -10,9 +10,15 @@
 #include "formulations/conduction/gmls.hpp"
 #include "formulations/conduction/lucy_flux.hpp"
 #include "formulations/momentum/direct_gradient.hpp"
+#include "formulations/momentum/gdsph.hpp"
 #include "formulations/momentum/p_rho2.hpp"
+#include "formulations/momentum/pressure_energy.hpp"
+#include "formulations/momentum/rkgc.hpp"
 #include "formulations/momentum/sqrt_p.hpp"
+#include "formulations/work/gdsph.hpp"
 #include "formulations/work/internal_energy.hpp"
+#include "formulations/work/pressure_energy.hpp"
+#include "formulations/work/rkgc.hpp"
 #include "formulations/work/sqrt_p.hpp"
 #include "formulations/work/total_energy.hpp"
 
@@ -22,6 +28,8 @@ namespace sphverify {
 using AllSchemes = std::tuple<PressureOverDensitySquared, SquareRootOfPressure, DirectGradient,  //
                               TotalEnergyWork, InternalEnergyWork, SquareRootOfPressureWork,     //
                               Brookshaw, LucyFlux, CampbellFlux,                                 //
-                              ClearyMonaghan, GammaBrookshaw, Gmls, CorrectedFlux>;
+                              ClearyMonaghan, GammaBrookshaw, Gmls, CorrectedFlux,               //
+                              GeometricDensity, GeometricDensityWork, PressureEnergy, PressureEnergyWork,
+                              ReverseCorrectedGradient, ReverseCorrectedWork>;
 
 }  // namespace sphverify

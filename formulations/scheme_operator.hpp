@@ -66,7 +66,7 @@ class SchemeOperator final : public RateOperator<Dim> {
         }
       } else {
         for (std::size_t w = 0; w < geometry.contacts.size(); ++w) add_wall<n>(geometry, w, particles);
-        finish<n>(particles);
+        finish<n>(particles, geometry);
       }
     });
   }
@@ -222,8 +222,9 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   /// Makes of a pass's sums what it writes.
   template <std::size_t n>
-  static void finish(Particles<Dim>& particles) {
-    FieldPointers<Dim> const fields(particles);
+  static void finish(Particles<Dim>& particles, PairGeometry<Dim> const& geometry) {
+    FieldPointers<Dim> fields(particles);
+    if (!geometry.contacts.empty() && geometry.behind.empty()) fields.walls = &geometry.walls;
     auto& out = output<Pass<n>>(particles);
     for (std::size_t i = 0; i < particles.size(); ++i) {
       ParticleView<Dim, reads_of_pass<Scheme, n>()> const own(fields, i);

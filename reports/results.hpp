@@ -37,9 +37,10 @@ inline bool is_drawn(LayoutChoice const& layout) {
   return layout.id == "jittered" || layout.id == "glass" || layout.id == "random";
 }
 
-/// Coefficients of Monaghan's artificial viscosity; both 0: off.
+/// Artificial viscosity: Monaghan's, both coefficients 0: off; or that of Riemann problems, which has none.
 struct ViscosityChoice {
   double alpha = 0.0, beta = 0.0;
+  bool riemann = false;
   bool operator==(ViscosityChoice const&) const = default;
 };
 

@@ -28,7 +28,11 @@ struct NohProblem {
         .kind = CaseKind::hydro,
         .parameters = {{"dimension", "", "1 planar, 2 cylindrical, 3 spherical", 1.0, true},
                        {"gamma", "", "ratio of specific heats", 5.0 / 3.0},
-                       {"final_time", "s", "end of the run", 0.6}},
+                       {"final_time", "s", "end of the run", 0.6},
+                       {"window", "m",
+                        "[from, to]: errors are taken between these distances from the origin alone, as published norms "
+                        "are; empty: wherever the solution holds",
+                        std::vector<double>{}}},
         .discontinuous = true};
   }
   static AnyProblem problem(Parameters const& p) {
@@ -75,6 +79,15 @@ struct NohProblem {
           double const r = x.norm();
           bool const shocked = r < noh.shock_speed() * t;
           return (shocked ? r * (gamma + 1.0) / (gamma - 1.0) : r + t) < undisturbed;
+        };
+      }
+      if (auto const& window = p.list("window"); !window.empty()) {
+        if (window.size() != 2) throw BadValue("window", "two distances", "a list of " + std::to_string(window.size()));
+        if (!(window[0] < window[1]))
+          throw BadValue("window", "the nearer distance first", exact::brief(window[0]) + ", " + exact::brief(window[1]));
+        problem.holds = [everywhere = problem.holds, from = window[0], to = window[1]](Vector<Dim> const& x, double t) {
+          double const r = x.norm();
+          return from <= r && r <= to && (!everywhere || everywhere(x, t));
         };
       }
       problem.features = [noh](double t) -> Features<Dim> {

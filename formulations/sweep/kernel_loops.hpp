@@ -3,9 +3,11 @@
 #include <span>
 
 #include "formulations/density/continuity.hpp"
+#include "formulations/momentum/gdsph.hpp"
 #include "formulations/momentum/p_rho2.hpp"
 #include "formulations/momentum/sqrt_p.hpp"
 #include "formulations/sweep/fused.hpp"
+#include "formulations/work/gdsph.hpp"
 #include "formulations/work/internal_energy.hpp"
 #include "formulations/work/sqrt_p.hpp"
 
@@ -19,24 +21,35 @@ constexpr std::array<FusedSweep, 4> fused_gas() {
   using A = RateTerm<Momentum, Dim>;
   using E = RateTerm<Work, Dim>;
   using D = RateTerm<ContinuityDensity, Dim>;
-  using V = ViscosityTerm<Dim, Kernel>;
+  using V = ViscosityTerm<Dim, Kernel, MonaghanViscosity>;
   return {fused<Dim, Kernel, A, E>(), fused<Dim, Kernel, A, E, D>(), fused<Dim, Kernel, A, E, V>(),
           fused<Dim, Kernel, A, E, D, V>()};
 }
 
+/// Of a form of heat conduction, which is swept by itself. Forms of gas move together, and alone are asked for their rates once.
+template <int Dim, class Kernel, class Scheme>
+constexpr auto fused_alone() {
+  if constexpr (Scheme::info.rate == Rate::conduction_heating) {
+    return fused_passes<Dim, Kernel, Scheme>();
+  } else {
+    return std::array<FusedSweep, 0>{};
+  }
+}
+
 template <int Dim, class Kernel, class... Schemes>
 constexpr auto all_fused_of_kernel() {
-  return joined(fused_passes<Dim, Kernel, Schemes>()...,
+  return joined(fused_alone<Dim, Kernel, Schemes>()...,
                 std::array{fused<Dim, Kernel, DensityTerm<Dim, Kernel>>(), fused<Dim, Kernel, ApproachTerm<Dim, Kernel>>()},
                 fused_gas<Dim, Kernel, PressureOverDensitySquared, InternalEnergyWork>(),
-                fused_gas<Dim, Kernel, SquareRootOfPressure, SquareRootOfPressureWork>());
+                fused_gas<Dim, Kernel, SquareRootOfPressure, SquareRootOfPressureWork>(),
+                fused_gas<Dim, Kernel, GeometricDensity, GeometricDensityWork>());
 }
 
 /// Stored slopes are of particles that mostly stand still: their forms are fused one by one.
 template <int Dim, class Kernel, class... Schemes>
 constexpr auto all_fused(std::tuple<Schemes...> const*) {
   if constexpr (is_stored<Kernel>) {
-    return joined(fused_passes<Dim, Kernel, Schemes>()...);
+    return joined(fused_alone<Dim, Kernel, Schemes>()...);
   } else {
     return all_fused_of_kernel<Dim, Kernel, Schemes...>();
   }
@@ -74,7 +87,8 @@ SweepKernels const& loops() {
                                 .rows = rows<Dim, K>,
                                 .fused = special_loops<Dim, K, Schemes>(),
                                 .density = own_row<DensityTerm<Dim, K>, K, Dim>(),
-                                .viscosity = own_row<ViscosityTerm<Dim, K>, K, Dim>(),
+                                .viscosity = own_row<ViscosityTerm<Dim, K, MonaghanViscosity>, K, Dim>(),
+                                .riemann_viscosity = own_row<ViscosityTerm<Dim, K, RiemannViscosity>, K, Dim>(),
                                 .approach = own_row<ApproachTerm<Dim, K>, K, Dim>(),
                                 .conductances = conductances<Dim, K>,
                                 .conduct = conduct};

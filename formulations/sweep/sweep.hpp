@@ -147,6 +147,7 @@ struct SweepKernels {
   std::span<FusedSweep const> fused;
   RowFunction density;    ///< sum_j m_j W(r_ij, h_i), the particle itself left out
   RowFunction viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
+  RowFunction riemann_viscosity;  ///< the same of a RiemannViscosity
   RowFunction approach;   ///< largest rate_of_approach()
   void (*conductances)(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
                        std::size_t end, double* scratch, double* out);

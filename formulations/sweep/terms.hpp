@@ -5,6 +5,7 @@
 #include "formulations/scheme.hpp"
 #include "formulations/sweep/views.hpp"
 #include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/riemann.hpp"
 
 // What a sweep adds up over a row, four neighbours at a time. Each says what it reads, takes its parameters,
 // adds, and writes what it has.
@@ -79,26 +80,26 @@ struct DensityTerm {
   }
 };
 
-/// Artificial viscosity: acceleration, heating, largest |mu|.
-template <int Dim, class Kernel>
+/// Artificial viscosity by a law: acceleration, heating, largest |mu|.
+template <int Dim, class Kernel, class Law>
 struct ViscosityTerm {
   static constexpr FieldSet reads{Field::mass, Field::density, Field::velocity, Field::sound_speed};
   static constexpr bool reads_state_velocity = true;
   static constexpr bool has_divisor = true;
   static constexpr bool wants_radial = true;
   static constexpr int components = Dim + 2;
-  MonaghanViscosity law;
+  Law law;
   PackVector<Dim> acceleration{};
   Pack heating = 0.0;
   Pack largest = 0.0;
 
   SPHVERIFY_INLINE explicit ViscosityTerm(void const* parameters)
-      : law(*static_cast<MonaghanViscosity const*>(parameters)) {}
+      : law(*static_cast<Law const*>(parameters)) {}
   SPHVERIFY_INLINE static Pack mean_rho(auto const& i, auto const& j) {
     return Pack(0.5) * (i.rho() + j.rho());
   }
   SPHVERIFY_INLINE static Pack divisor(auto const& i, auto const& j, auto const& W) {
-    return MonaghanViscosity::divisor(W.squared_distance(), W.h(), mean_rho(i, j));
+    return Law::divisor(W.squared_distance(), W.h(), mean_rho(i, j));
   }
   SPHVERIFY_INLINE void add(auto const& i, auto const& j, auto const& W) {
     auto const v_ji = j.u() - i.u();  // as the work has it: one difference serves both

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "formulations/particles/particles.hpp"
+#include "formulations/walls/finite_face.hpp"
 #include "formulations/walls/walls.hpp"
 
 namespace sphverify {
@@ -16,6 +17,8 @@ struct FieldPointers {
   std::array<double const*, Dim> v{}, F{}, pass_vector{};
   TensorField<Dim> const* pass_tensor = nullptr;
   Particles<Dim> const* all;
+
+  std::vector<Wall<Dim>> const* walls = nullptr;  ///< that cut off a part of the kernel; null: none
 
   explicit FieldPointers(Particles<Dim> const& particles) : all(&particles) {
     auto const scalar = [&](Field f) { return particles.has(f) ? particles.scalar(f).data() : nullptr; };
@@ -52,6 +55,12 @@ class ParticleView {
   double W0() const {
     auto const& own = f_->all->smoothing_lengths();
     return f_->all->kernel().value(0.0, own.empty() ? f_->all->smoothing_length() : own[i_]);
+  }
+  /// The part of the kernel on the inner sides of all walls that have wall terms, between 0 and 1
+  double Gamma() const {
+    if (f_->walls == nullptr) return 1.0;
+    auto const& own = f_->all->smoothing_lengths();
+    return inner_fraction(f_->all->positions()[i_], *f_->walls, own.empty() ? f_->all->smoothing_length() : own[i_], f_->all->kernel());
   }
   double rho() const
     requires(reads.contains(Field::density))

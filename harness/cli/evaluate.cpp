@@ -66,7 +66,8 @@ void evaluate(EvaluateCommand const& command) {
   if (!output.empty()) require_writable(output, command.state);
   std::set<std::string> only(command.only.begin(), command.only.end());
   for (std::string const& id : only) {
-    std::vector<std::string> known{"viscosity/monaghan", "viscosity/monaghan-no-walls"};
+    std::vector<std::string> known{"viscosity/monaghan", "viscosity/monaghan-no-walls", "viscosity/riemann",
+                                   "viscosity/riemann-no-walls"};
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       known.emplace_back(scheme->id);
       known.push_back(std::string(scheme->id) + "-no-walls");

@@ -38,7 +38,7 @@ std::string why_not_comparable(Json const& ours, RateComparison const& one) {
   if (!rates.contains(one.scheme)) {
     Json const& left_out = ours.at("left_out");
     if (left_out.contains(one.scheme)) return left_out.at(one.scheme).get<std::string>();
-    std::vector<std::string> known{"viscosity/monaghan"};
+    std::vector<std::string> known{"viscosity/monaghan", "viscosity/riemann"};
     for (SchemeInfo const* scheme : all_scheme_infos()) known.emplace_back(scheme->id);
     return "sphverify has no such rates: " + one_listed_by("sphverify list formulations", one.scheme, known);
   }

@@ -19,7 +19,6 @@ namespace sphverify {
 
 namespace {
 
-std::string const viscosity_id = "viscosity/monaghan";
 
 template <int Dim>
 Json list(VectorField<Dim> const& field) {
@@ -272,8 +271,9 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
         rounding[id] = number(rounding_of_terms(scheme->rate, state));
       }
     }
-    std::string const id = viscosity_id + suffix;
-    if (!state.viscosity.is_on() || (!only.empty() && !only.contains(id))) continue;
+    bool const is_riemann = std::holds_alternative<RiemannViscosity>(state.viscosity);
+    std::string const id = (is_riemann ? "viscosity/riemann" : "viscosity/monaghan") + std::string(suffix);
+    if (!is_on(state.viscosity) || (!only.empty() && !only.contains(id))) continue;
     if (particles.has(Field::velocity) && particles.has(Field::sound_speed)) {
       rates[id] = viscous_rates(state, geometry);
     } else {

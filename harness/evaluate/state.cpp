@@ -272,9 +272,15 @@ State<Dim> read_state(Node const& document) {
   auto const gamma = document.find("gamma");
   if (gamma) state.gamma = gamma->number_between(1.0 + 1e-9, 100.0);
   if (auto const viscosity = document.find("viscosity")) {
-    viscosity->require_keys({"alpha", "beta"});
-    state.viscosity = {viscosity->at("alpha").number_between(0.0, 100.0), viscosity->at("beta").number_between(0.0, 100.0)};
     if (!gamma) document.at("gamma");  // complains of its absence: the sound speed
+    if (viscosity->is_string()) {
+      viscosity->word({"riemann"});
+      state.viscosity = RiemannViscosity{state.gamma};
+    } else {
+      viscosity->require_keys({"alpha", "beta"});
+      state.viscosity =
+          MonaghanViscosity{viscosity->at("alpha").number_between(0.0, 100.0), viscosity->at("beta").number_between(0.0, 100.0)};
+    }
   }
   if (auto const weight = document.find("pair_weight"))
     state.pair_weight = pair_weight_words.value(weight->word(pair_weight_words.all()));

@@ -3,7 +3,7 @@
 #include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/density/density.hpp"
 #include "formulations/particles/particles.hpp"
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 #include "formulations/walls/walls.hpp"
 #include "reports/json/node.hpp"
 
@@ -21,7 +21,7 @@ struct State {
   Closure closure;
   double time = 0.0;   ///< [s]
   double gamma = 0.0;  ///< ratio of specific heats; 0: not given
-  MonaghanViscosity viscosity{};
+  Viscosity viscosity{};
   double rounding = 0.0;  ///< of the numbers, relative to them: of double precision or single
 };
 

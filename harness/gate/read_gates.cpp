@@ -115,8 +115,7 @@ LayoutMatch read_layout(Node const& node) {
 
 ViscosityChoice read_viscosity(Node const& node) {
   if (node.is_string()) {
-    node.word({"off"});
-    return {};
+    return {.riemann = node.word({"off", "riemann"}) == "riemann"};
   }
   node.require_keys({"alpha", "beta"});
   return {node.at("alpha").number(), node.at("beta").number()};

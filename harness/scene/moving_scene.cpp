@@ -14,6 +14,11 @@ namespace sphverify {
 
 namespace {
 
+Viscosity viscosity_of(ViscosityChoice const& choice, double gamma) {
+  if (choice.riemann) return RiemannViscosity{gamma};
+  return MonaghanViscosity{choice.alpha, choice.beta};
+}
+
 template <int Dim>
 std::unique_ptr<RateOperator<Dim>> operator_if_named(std::string const& id) {
   return id.empty() ? nullptr : make_rate_operator<Dim>(id);
@@ -27,7 +32,7 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
       momentum_operator_(make_rate_operator<Dim>(choice.formulation)),
       work_operator_(make_rate_operator<Dim>(choice.work)),
       conduction_operator_(operator_if_named<Dim>(choice.conduction)),
-      viscosity_{choice.discretisation.viscosity.alpha, choice.discretisation.viscosity.beta},
+      viscosity_(viscosity_of(choice.discretisation.viscosity, problem_.gamma)),
       density_rule_(density_words.value(choice.discretisation.density)),
       closure_(closure_words.value(choice.discretisation.closure)),
       wall_motion_(wall_motion_words.value(choice.discretisation.wall_motion)),

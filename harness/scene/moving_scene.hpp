@@ -9,7 +9,7 @@
 
 #include "cases/support/problem.hpp"
 #include "formulations/rate_operator.hpp"
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 #include "harness/integrate/ode.hpp"
 #include "harness/scene/cut_cells.hpp"
 #include "harness/scene/moving_geometry.hpp"
@@ -123,7 +123,7 @@ class MovingScene {
   Problem<Dim> problem_;
   std::unique_ptr<RateOperator<Dim>> momentum_operator_, work_operator_, conduction_operator_,
       continuity_operator_;
-  MonaghanViscosity viscosity_;
+  Viscosity viscosity_;
   DensityRule density_rule_;
   Closure closure_;
   WallMotion wall_motion_;

@@ -24,7 +24,7 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
             particles_.masses()[i] * momentum_operator_->wall_acceleration()[w][k].dot(drift_[i]);
       }
     }
-    if (viscosity_.is_on()) {
+    if (is_on(viscosity_)) {
       exchange.force += viscous_.wall_force[w];
       exchange.power += viscous_.wall_power[w];
     }

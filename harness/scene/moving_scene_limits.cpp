@@ -34,9 +34,10 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   for (std::size_t i = 0; i < particles_.size(); ++i) {
     courant = std::min(courant, h(i) / c[i]);
     force = std::min(force, std::sqrt(h(i) / acceleration_[i].norm()));
-    if (viscosity_.is_on()) {
+    if (is_on(viscosity_)) {
       double const mu = viscous_.largest_mu[i];
-      viscosity = std::min(viscosity, h(i) / (c[i] + 0.6 * (viscosity_.alpha * c[i] + viscosity_.beta * mu)));
+      double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + law.quadratic() * mu; }, viscosity_);
+      viscosity = std::min(viscosity, h(i) / (c[i] + 0.6 * drag));
     }
     if (conduction_operator_) conduction = std::min(conduction, conduction_step(i));
     approach = std::max(approach, rates_of_approach[i]);
@@ -53,7 +54,7 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
     }
   }
   std::vector<StepLimit> limits{{"courant", courant}, {"force", force}, {"approach", 1.0 / approach}};
-  if (viscosity_.is_on()) limits.push_back({"viscosity", viscosity});
+  if (is_on(viscosity_)) limits.push_back({"viscosity", viscosity});
   if (conduction_operator_) limits.push_back({"conduction", conduction});
   for (StepLimit& limit : limits) limit.step *= courant_number;
   return limits;

@@ -149,8 +149,8 @@ void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
     for (RateOperator<Dim>* const one : together) {
       if (one->passes() == 1) one->begin_pass(0, particles_, geometry, closure_, time, threads_, sweep);
     }
-    if (viscosity_.is_on()) add_viscosity(viscosity_, particles_, sweep, viscous_);
-    if (!sweep.empty()) sweep.run(particles_, drifts && viscosity_.is_on() ? &drift_ : nullptr);
+    if (is_on(viscosity_)) add_viscosity(viscosity_, particles_, sweep, viscous_);
+    if (!sweep.empty()) sweep.run(particles_, drifts && is_on(viscosity_) ? &drift_ : nullptr);
     for (RateOperator<Dim>* const one : together) {
       if (one->passes() == 1) {
         one->end_pass(0, particles_, geometry, work_);
@@ -186,7 +186,7 @@ template <int Dim>
 void MovingScene<Dim>::evaluate_rates(double time) {
   std::size_t const n = particles_.size();
   auto const& v = particles_.vector(Field::velocity);
-  if (viscosity_.is_on()) {
+  if (is_on(viscosity_)) {
     add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, time, threads_, viscous_);
     ++passes_["viscosity"];
     work_.pair_interactions += geometry().neighbours.pairs();

@@ -24,7 +24,7 @@ struct Outcome {
 
 std::string text_of(std::string const& word) { return word; }
 std::string text_of(double number) { return fmt::format("{}", number); }
-std::string text_of(ViscosityChoice const& v) { return fmt::format("{}|{}", v.alpha, v.beta); }
+std::string text_of(ViscosityChoice const& v) { return v.riemann ? "riemann" : fmt::format("{}|{}", v.alpha, v.beta); }
 std::string text_of(std::optional<ViscosityChoice> const& v) { return v ? text_of(*v) : "auto"; }
 
 /// A run by what enters its numbers.

@@ -137,8 +137,9 @@ void require_memory(Study const& study, Node const& document) {
 
 std::optional<ViscosityChoice> read_viscosity(Node const& node) {
   if (node.is_string()) {
-    if (node.word({"auto", "off"}) == "auto") return std::nullopt;
-    return ViscosityChoice{};
+    std::string const word = node.word({"auto", "off", "riemann"});
+    if (word == "auto") return std::nullopt;
+    return ViscosityChoice{.riemann = word == "riemann"};
   }
   node.require_keys({"alpha", "beta"});
   auto const coefficient = [&](char const* key) { return node.at(key).number_between(0.0, 100.0); };

@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t fewest_points = 16;
 
 std::string viscosity_text(ViscosityChoice const& v) {
+  if (v.riemann) return "Riemann";
   return v == ViscosityChoice{} ? "off" : fmt::format("alpha {:g}, beta {:g}", v.alpha, v.beta);
 }
 

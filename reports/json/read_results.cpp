@@ -56,7 +56,9 @@ Discretisation read_discretisation(Node const& node) {
   d.integrator = node.at("integrator").string();
   d.smoothing = node.at("smoothing").string();
   d.wall_motion = node.at("wall_motion").string();
-  if (Node const v = node.at("viscosity"); !v.is_string()) {
+  if (Node const v = node.at("viscosity"); v.is_string()) {
+    d.viscosity.riemann = v.string() == "riemann";
+  } else {
     d.viscosity = {v.at("alpha").number(), v.at("beta").number()};
   }
   return d;

@@ -311,6 +311,7 @@ Json to_json(LayoutChoice const& layout) {
 }
 
 Json to_json(ViscosityChoice const& v) {
+  if (v.riemann) return "riemann";
   if (v == ViscosityChoice{}) return "off";
   return {{"alpha", v.alpha}, {"beta", v.beta}};
 }

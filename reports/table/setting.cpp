@@ -60,6 +60,7 @@ std::string layout_name(LayoutChoice const& layout) {
 }
 
 std::string viscosity_name(ViscosityChoice const& v) {
+  if (v.riemann) return "riemann";
   return v == ViscosityChoice{} ? "off" : fmt::format("{:g} {:g}", v.alpha, v.beta);
 }
 

@@ -38,6 +38,7 @@ class Fingerprint {
     add_function(p.acceleration);
     add_function(p.source);
     add_function(p.body_force);
+    add_function(p.holds);
     if (p.conductivity) {
       for (std::size_t i = 0; i < places_.size(); ++i) {
         for (double const T : {0.1, 1.0, 3.0}) add(p.conductivity(places_[i], T));

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/walls/finite_face.hpp"
 #include "tests/support/quadrature.hpp"
 #include "tests/support/random_particles.hpp"
 
@@ -157,6 +158,20 @@ class State {
   Vector<Dim> gradient(std::size_t i, std::size_t j) const {
     Vector<Dim> const r = x(i) - x(j);
     return i == j ? Vector<Dim>::Zero() : Vector<Dim>(slope<Dim>(r.norm(), h()) * r / r.norm());
+  }
+
+  /// W_ij, with W_ii.
+  double W(std::size_t i, std::size_t j) const { return kernel<Dim>((x(i) - x(j)).norm(), h()); }
+  /// Part of the kernel inside all walls. Where two cut it, as the product has it, which its own tests hold to rays.
+  double Gamma(std::size_t i) const {
+    double part = 1.0;
+    std::size_t touched = 0;
+    for (std::size_t w = 0; w < walls(); ++w) {
+      if (!is_near(i, w)) continue;
+      ++touched;
+      part = inner_fraction<Dim>(d(i, w), h());
+    }
+    return touched < 2 ? part : sphverify::inner_fraction(x(i), s_->walls, h(), s_->particles.kernel());
   }
 
   Vector<Dim> n(std::size_t w) const { return s_->walls[w].outward_normal; }

@@ -30,6 +30,7 @@ inline std::vector<ParameterValue> const* listed(std::string const& id, std::str
       {"hydro/riemann right", {std::vector<double>{0.2, 0.3, 0.2}}},
       {"hydro/uniform boundary", {std::string("velocity"), std::string("periodic")}},
       {"hydro/acoustic boundary", {std::string("periodic")}},
+      {"hydro/noh window", {std::vector<double>{0.05, 0.35}}},
       {"hydro/gresho boundary", {std::string("velocity")}},
       {"extreme/density-contrast boundary", {std::string("pressure")}},
       {"hydro/manufactured drive", {std::string("pressure"), std::string("both")}},

@@ -11,7 +11,7 @@
 #include "formulations/all.hpp"
 #include "formulations/density/continuity.hpp"
 #include "formulations/density/density.hpp"
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 #include "tests/support/dense.hpp"
 #include "tests/support/gathered_pairs.hpp"
 

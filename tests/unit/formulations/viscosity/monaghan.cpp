@@ -1,4 +1,4 @@
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
@@ -43,7 +43,8 @@ PairGeometry<Dim> gas_geometry(RandomScene<Dim> const& scene, bool with_walls = 
 
 template <int Dim>
 void evaluate_viscosity(RandomScene<Dim> const& scene, PairGeometry<Dim> geometry,
-                        MonaghanViscosity const& viscosity, int threads, ViscousRates<Dim>& rates) {
+                        MonaghanViscosity const& law, int threads, ViscousRates<Dim>& rates) {
+  Viscosity const viscosity = law;
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
   add_viscosity(viscosity, scene.particles, sweep, rates);
   sweep.run(scene.particles);

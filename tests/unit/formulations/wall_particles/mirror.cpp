@@ -6,7 +6,7 @@
 
 #include "formulations/density/density.hpp"
 #include "formulations/rate_operator.hpp"
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 #include "tests/support/cell_scenes.hpp"
 
 BOOST_AUTO_TEST_SUITE(formulations_wall_particles_mirror)
@@ -142,7 +142,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(so_are_viscosity_continuity_and_summed_density, D,
   constexpr int Dim = D::value;
   Mirrored<Dim> scene(false);
   std::size_t const n = scene.particles.size();
-  MonaghanViscosity const viscosity{1.0, 2.0};
+  Viscosity const viscosity = MonaghanViscosity{1.0, 2.0};
   auto const rubbed = [&](Particles<Dim>& particles, PairGeometry<Dim>& geometry) {
     ViscousRates<Dim> rates;
     PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, 1);
@@ -324,7 +324,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(viscosity_knows_the_speed_of_walls, D, Dimensions)
   for (std::size_t i = 0; i < scene.particles.size(); ++i) scene.particles.vector(Field::velocity).set(i, common);
   double speed = 0.3;
   for (Wall<Dim>& wall : scene.geometry.walls) wall.velocity = [&](Vector<Dim> const&, double) { return common; };
-  MonaghanViscosity const viscosity{1.0, 2.0};
+  Viscosity const viscosity = MonaghanViscosity{1.0, 2.0};
   auto const rubbed = [&] {
     ViscousRates<Dim> rates;
     PairSweep<Dim> sweep(scene.geometry.neighbours, scene.domain, 1);

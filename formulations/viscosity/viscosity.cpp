@@ -1,4 +1,4 @@
-#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/viscosity.hpp"
 
 #include <algorithm>
 
@@ -11,8 +11,8 @@ namespace sphverify {
 namespace {
 
 /// @param share of the wall's and the gas's halves that are left
-template <int Dim>
-void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> const& contacts, double share,
+template <class Law, int Dim>
+void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts, double share,
                       Particles<Dim> const& particles, Vector<Dim>& force, double& power,
                       ViscousRates<Dim>& rates) {
   expects(contacts.velocity.size() == contacts.size());
@@ -25,7 +25,7 @@ void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> cons
     if (closing <= 0.0) continue;
     double const rho = 0.5 * (particles.scalar(Field::density)[i] + contacts.foot_density[k]);
     auto const [mu, Pi] = viscosity.pair(-closing * d, h(i), particles.scalar(Field::sound_speed)[i], rho,
-                                         MonaghanViscosity::divisor(d * d, h(i), rho));
+                                         Law::divisor(d * d, h(i), rho));
     double const face = share * Pi * contacts.foot_density[k] * contacts.face_weight[k];
     Vector<Dim> const acceleration = -face * contacts.outward_normal;
     double const heating = face * closing;
@@ -41,7 +41,7 @@ void add_viscous_wall(MonaghanViscosity const& viscosity, WallContacts<Dim> cons
 }  // namespace
 
 template <int Dim>
-void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& particles, PairSweep<Dim>& sweep,
+void add_viscosity(Viscosity const& viscosity, Particles<Dim> const& particles, PairSweep<Dim>& sweep,
                    ViscousRates<Dim>& rates) {
   std::size_t const n = particles.size();
   if (rates.heating.size() != n)
@@ -50,16 +50,21 @@ void add_viscosity(MonaghanViscosity const& viscosity, Particles<Dim> const& par
   for (int k = 0; k < Dim; ++k) out.push_back(rates.acceleration.component(k).data());
   out.push_back(rates.heating.data());
   out.push_back(rates.largest_mu.data());
-  sweep.add(sweep_kernels<Dim>(particles.kernel().id()).viscosity,
-            {Field::mass, Field::density, Field::velocity, Field::sound_speed}, {KernelWeight::gradient}, out,
-            &viscosity);
+  SweepKernels const& loops = sweep_kernels<Dim>(particles.kernel().id());
+  bool const is_monaghan = std::holds_alternative<MonaghanViscosity>(viscosity);
+  std::visit(
+      [&](auto const& law) {
+        sweep.add(is_monaghan ? loops.viscosity : loops.riemann_viscosity,
+                  {Field::mass, Field::density, Field::velocity, Field::sound_speed}, {KernelWeight::gradient}, out, &law);
+      },
+      viscosity);
 }
 
 namespace {
 
 /// The pairs of a wall's contacts with what stands behind it.
 template <int Dim>
-void add_viscosity_behind(MonaghanViscosity const& viscosity, PairGeometry<Dim>& geometry, std::size_t wall,
+void add_viscosity_behind(Viscosity const& viscosity, PairGeometry<Dim>& geometry, std::size_t wall,
                           Particles<Dim> const& fluid, double time, int threads, ViscousRates<Dim>& rates) {
   WallContacts<Dim> const& contacts = geometry.contacts[wall];
   WallParticles<Dim>& behind = geometry.behind[wall];
@@ -84,7 +89,7 @@ void add_viscosity_behind(MonaghanViscosity const& viscosity, PairGeometry<Dim>&
 }  // namespace
 
 template <int Dim>
-void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const& particles,
+void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particles,
                        PairGeometry<Dim>& geometry, Closure closure, double time, int threads, ViscousRates<Dim>& rates) {
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
@@ -94,15 +99,19 @@ void add_viscous_walls(MonaghanViscosity const& viscosity, Particles<Dim> const&
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
     if (!geometry.walls[w].velocity) continue;
     bool const whole_stress = geometry.walls[w].pressure || closure == Closure::one_sided;
-    add_viscous_wall(viscosity, geometry.contacts[w], whole_stress ? 0.5 : 1.0, particles,
-                     rates.wall_force[w], rates.wall_power[w], rates);
+    std::visit(
+        [&](auto const& law) {
+          add_viscous_wall(law, geometry.contacts[w], whole_stress ? 0.5 : 1.0, particles, rates.wall_force[w],
+                           rates.wall_power[w], rates);
+        },
+        viscosity);
   }
 }
 
 #define SPHVERIFY_INSTANTIATE(Dim)                                                                           \
-  template void add_viscosity(MonaghanViscosity const&, Particles<Dim> const&, PairSweep<Dim>&,              \
+  template void add_viscosity(Viscosity const&, Particles<Dim> const&, PairSweep<Dim>&,              \
                               ViscousRates<Dim>&);                                                           \
-  template void add_viscous_walls(MonaghanViscosity const&, Particles<Dim> const&, PairGeometry<Dim>&,       \
+  template void add_viscous_walls(Viscosity const&, Particles<Dim> const&, PairGeometry<Dim>&,       \
                                   Closure, double, int, ViscousRates<Dim>&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

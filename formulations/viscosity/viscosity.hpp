@@ -1,0 +1,59 @@
+#pragma once
+
+#include <variant>
+#include <vector>
+
+#include "formulations/pair_geometry.hpp"
+#include "formulations/sweep/pair_sweep.hpp"
+#include "formulations/viscosity/monaghan.hpp"
+#include "formulations/viscosity/riemann.hpp"
+
+namespace sphverify {
+
+/// The law that says Pi_ij.
+using Viscosity = std::variant<MonaghanViscosity, RiemannViscosity>;
+
+inline bool is_on(Viscosity const& viscosity) {
+  return std::visit([](auto const& law) { return law.is_on(); }, viscosity);
+}
+
+/// What viscosity adds to a gas, and what walls took part in.
+template <int Dim>
+struct ViscousRates {
+  VectorField<Dim> acceleration;        ///< [m/s^2]
+  std::vector<double> heating;          ///< of internal energy [W/kg]
+  std::vector<double> largest_mu;       ///< largest |mu_ij|, or speed of approach, of each particle, for the step limit [m/s]
+  std::vector<Vector<Dim>> wall_force;  ///< per wall, on the gas [N]
+  std::vector<double> wall_power;       ///< per wall: what it gives to internal plus kinetic energy per time
+};
+
+/// Evaluates
+///
+///   a_i     = -sum_j m_j Pi_ij grad_i W_ij                       - Pi_iB rho_B S_i
+///   de_i/dt = 1/2 sum_j m_j Pi_ij (v_i - v_j).grad_i W_ij        + Pi_iB rho_B (v_i - v_B).S_i
+///
+/// Pairs conserve momentum and internal plus kinetic energy. The wall terms are ours: they treat a wall of
+/// prescribed velocity as the partner at the foot point, as the schemes do (m_j grad_i W_ij becomes rho_B
+/// S_i), so that cold gas does not run into it unopposed. All of their heat stays in the gas, so that a wall
+/// at rest gives it no energy. Where the wall moves as its closure says it has none: a closure that does not
+/// return constants would rub against gas that moves along with the wall.
+///
+/// Pi_iB stands for the gas's viscous pressure q_i/rho_i^2 and the wall's, one half each. Where the wall's
+/// P_B is the whole stress there, because it is prescribed or because Closure::one_sided has solved for it,
+/// only the gas's half is left. Reads density, velocity, sound speed, and the contacts' velocity.
+///
+/// First the pairs, as a term of a sweep, which writes to `rates`.
+/// @param viscosity must live until the sweep has run
+template <int Dim>
+void add_viscosity(Viscosity const& viscosity, Particles<Dim> const& particles, PairSweep<Dim>& sweep,
+                   ViscousRates<Dim>& rates);
+template <int Dim>
+void add_viscosity(Viscosity const&&, Particles<Dim> const&, PairSweep<Dim>&, ViscousRates<Dim>&) = delete;
+
+/// Then the walls, on top of what the sweep left in `rates`: their terms, or the pairs with what stands behind them.
+template <int Dim>
+void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particles,
+                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
+                       ViscousRates<Dim>& rates);
+
+}  // namespace sphverify

@@ -15,12 +15,14 @@
 #include "formulations/momentum/pressure_energy.hpp"
 #include "formulations/momentum/rkgc.hpp"
 #include "formulations/momentum/sqrt_p.hpp"
+#include "formulations/momentum/voronoi.hpp"
 #include "formulations/work/gdsph.hpp"
 #include "formulations/work/internal_energy.hpp"
 #include "formulations/work/pressure_energy.hpp"
 #include "formulations/work/rkgc.hpp"
 #include "formulations/work/sqrt_p.hpp"
 #include "formulations/work/total_energy.hpp"
+#include "formulations/work/voronoi.hpp"
 
 namespace sphverify {
 
@@ -29,7 +31,9 @@ using AllSchemes = std::tuple<PressureOverDensitySquared, SquareRootOfPressure, 
                               TotalEnergyWork, InternalEnergyWork, SquareRootOfPressureWork,     //
                               Brookshaw, LucyFlux, CampbellFlux,                                 //
                               ClearyMonaghan, GammaBrookshaw, Gmls, CorrectedFlux,               //
-                              GeometricDensity, GeometricDensityWork, PressureEnergy, PressureEnergyWork,
-                              ReverseCorrectedGradient, ReverseCorrectedWork>;
+                              GeometricDensity, GeometricDensityWork,                            //
+                              PressureEnergy, PressureEnergyWork,                                //
+                              ReverseCorrectedGradient, ReverseCorrectedWork,                    //
+                              VoronoiPressure, VoronoiWork>;
 
 }  // namespace sphverify

@@ -25,7 +25,8 @@ enum class Rate {
 enum class KernelWeight {
   gradient,  ///< grad_i W_ij, a vector  [m^-(Dim+1)]
   radial,    ///< (r_ij . grad_i W_ij) / r_ij^2 = W'(r)/r  [m^-(Dim+2)]
-  value      ///< W_ij, a number  [m^-Dim]
+  value,     ///< W_ij, a number  [m^-Dim]
+  face_offset  ///< from (r_i + r_j)/2 to the centroid of the face between i and j, a vector; of Voronoi pair weights alone  [m]
 };
 using KernelWeightSet = FlagSet<KernelWeight>;
 
@@ -207,6 +208,18 @@ constexpr std::string_view why_no_pair_weights(SchemeInfo const& scheme) {
   KernelWeightSet kernel = scheme.kernel;
   for (PassInfo const& pass : scheme.first_passes) kernel = kernel | pass.kernel;
   return kernel.contains(KernelWeight::value) ? "reads the kernel's value, which Voronoi pair weights do not have" : "";
+}
+
+/// Whether a pass of it reads where the faces between particles have their centroids, which cells have and kernels have not.
+constexpr bool reads_face_offsets(SchemeInfo const& scheme) {
+  bool reads = scheme.kernel.contains(KernelWeight::face_offset);
+  for (PassInfo const& pass : scheme.first_passes) reads = reads || pass.kernel.contains(KernelWeight::face_offset);
+  return reads;
+}
+
+/// Why it cannot take the kernel's pair weights; empty if it can.
+constexpr std::string_view why_no_kernel_weights(SchemeInfo const& scheme) {
+  return reads_face_offsets(scheme) ? "pushes through faces of cells, which a kernel does not have: take pair weight voronoi" : "";
 }
 
 /// What can be listed and swept as a scheme: a struct with a constexpr `info`; with `pair(i, j, W)` and `wall(i, B)`; and, in

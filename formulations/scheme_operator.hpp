@@ -173,6 +173,12 @@ class SchemeOperator final : public RateOperator<Dim> {
   /// The pass's pairs, and those with what stands behind walls.
   template <std::size_t n>
   void add_pass(Particles<Dim>& particles, PairGeometry<Dim>& geometry, double time, int threads, PairSweep<Dim>& sweep) {
+    if constexpr (reads_face_offsets(Scheme::info)) {
+      bool has_faces = has_offsets(geometry.neighbours, Dim);
+      for (WallContacts<Dim> const& contacts : geometry.contacts) has_faces = has_faces && contacts.offset.size() == contacts.size();
+      if (!has_faces)
+        throw UndefinedRate(std::string(Scheme::info.id) + " " + std::string(why_no_kernel_weights(Scheme::info)));
+    }
     for (std::size_t w = 0; w < geometry.behind.size(); ++w) sweep_behind<n>(geometry, w, particles, time, threads);
     if constexpr (n == last) {
       check(particles, geometry);
@@ -215,7 +221,8 @@ class SchemeOperator final : public RateOperator<Dim> {
       if constexpr (n == last) return Scheme::info.boundary | Scheme::info.boundary_if_prescribed;
       return Pass<n>::info.boundary;
     }();
-    return sweep_wall<Term, reads_of_pass<Scheme, n>(), of_wall>(
+    constexpr bool reads_faces = Pass<n>::info.kernel.contains(KernelWeight::face_offset);
+    return sweep_wall<Term, reads_of_pass<Scheme, n>(), of_wall, reads_faces>(
         contacts, particles, output<Pass<n>>(particles),
         [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); });
   }

@@ -185,4 +185,41 @@ bool ConvexCell<3>::measure_faces() {
   return corners_.size() + 4 == 2 * faces;
 }
 
+/// Expects faces that have been measured. A triangle that rounding turns the other way counts nothing, so that a centroid
+/// lies among its face's corners however thin the face.
+void ConvexCell<3>::measure_centroids() {
+  centroid_.assign(planes_.size(), {Vector<3>::Zero(), Vector<3>::Zero(), 0.0, 0});
+  for (std::size_t v = 0; v < corners_.size(); ++v) {
+    for (Index const plane : corners_[v]) {
+      centroid_[plane].middle += Vector<3>(place_[0][v], place_[1][v], place_[2][v]);
+      ++centroid_[plane].corners;
+    }
+  }
+  for (Centroid& one : centroid_) {
+    if (one.corners > 0) one.middle /= one.corners;
+  }
+  for (std::size_t v = 0; v < corners_.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      Index const a = corners_[v][k];
+      Index const b = corners_[v][(k + 1) % 3];
+      std::size_t const other = at_edge(b, a);
+      // Around face a from here to there; around b the same edge comes at its other end.
+      Centroid& face = centroid_[a];
+      Vector<3> const here = Vector<3>(place_[0][v], place_[1][v], place_[2][v]) - face.middle;
+      Vector<3> const there = Vector<3>(place_[0][other], place_[1][other], place_[2][other]) - face.middle;
+      double const area = std::fmax(0.0, 0.5 * planes_[a].normal.dot(cross(here, there)));
+      face.area += area;
+      face.moment += area * (here + there);
+    }
+  }
+}
+
+Vector<3> ConvexCell<3>::offset(std::size_t plane) const {
+  Centroid const& face = centroid_[plane];
+  Vector<3> const& normal = planes_[plane].normal;
+  Vector<3> centroid = face.middle;
+  if (face.area > 0.0) centroid += face.moment / (3.0 * face.area);
+  return centroid - normal.dot(centroid) * normal;
+}
+
 }  // namespace sphverify

@@ -47,12 +47,13 @@ class ConvexCell<1> {
     double const most = lower_.distance < upper_.distance ? upper_.distance : lower_.distance;
     return most * most;
   }
-  /// Calls visit(plane, area) for every face.  [m^(Dim-1)]
+  /// Calls visit(plane, area, offset) for every face: its area [m^(Dim-1)], and how far its centroid is from the foot of the
+  /// perpendicular from the origin to its plane [m], zero unless wanted.
   /// @return whether corners, edges and faces are those of one convex body
   template <class Visit>
-  bool for_each_face(Visit const& visit) {
-    visit(lower_, 1.0);
-    visit(upper_, 1.0);
+  bool for_each_face(bool, Visit const& visit) {
+    visit(lower_, 1.0, Vector<1>(0.0));
+    visit(upper_, 1.0, Vector<1>(0.0));
     return true;
   }
 
@@ -109,13 +110,17 @@ class ConvexCell<2> {
   }
 
   template <class Visit>
-  bool for_each_face(Visit const& visit) {
+  bool for_each_face(bool wants_offsets, Visit const& visit) {
     std::size_t const n = corners_.size();
     for (std::size_t k = 0; k < n; ++k) {
-      Vector<2> const along = corners_[k + 1 < n ? k + 1 : 0].place - corners_[k].place;
+      Vector<2> const& here = corners_[k].place;
+      Vector<2> const& there = corners_[k + 1 < n ? k + 1 : 0].place;
       CellPlane<2> const& edge = corners_[k].edge;
+      Vector<2> const direction(-edge.normal[1], edge.normal[0]);
+      Vector<2> offset = Vector<2>::Zero();
+      if (wants_offsets) offset = 0.5 * direction.dot(here + there) * direction;
       // Seen along the edge as its plane has it: what round-off turns the other way counts less than nothing.
-      visit(edge, edge.normal[0] * along[1] - edge.normal[1] * along[0]);
+      visit(edge, direction.dot(there - here), offset);
     }
     return n >= 3;
   }
@@ -140,10 +145,11 @@ class ConvexCell<3> {
   bool clip(Vector<3> const& normal, double distance, std::int32_t cut_by);
   double farthest_squared() const;
   template <class Visit>
-  bool for_each_face(Visit const& visit) {
+  bool for_each_face(bool wants_offsets, Visit const& visit) {
     if (!measure_faces()) return false;
+    if (wants_offsets) measure_centroids();
     for (std::size_t p = 0; p < planes_.size(); ++p) {
-      if (has_corner_[p]) visit(planes_[p], area_[p].dot(planes_[p].normal));
+      if (has_corner_[p]) visit(planes_[p], area_[p].dot(planes_[p].normal), wants_offsets ? offset(p) : Vector<3>::Zero());
     }
     return true;
   }
@@ -160,6 +166,8 @@ class ConvexCell<3> {
   void forget_unused_planes();
   void make_room(std::size_t planes);
   bool measure_faces();
+  void measure_centroids();
+  Vector<3> offset(std::size_t plane) const;
 
   std::vector<CellPlane<3>> planes_;
   std::array<std::vector<double>, 3> place_;  ///< of corners
@@ -170,6 +178,14 @@ class ConvexCell<3> {
   std::vector<std::uint16_t> out_;
   std::vector<Vector<3>> area_;
   std::vector<char> has_corner_;
+  /// Per plane what its face's centroid is made of: the mean of its corners, and about it the sums of the areas of the
+  /// triangles from there to the edges and of these areas times three centroids.
+  struct Centroid {
+    Vector<3> middle, moment;
+    double area;
+    int corners;
+  };
+  std::vector<Centroid> centroid_;
   bool is_broken_ = false;  ///< rounding has left edges without a corner at their other end
   double tolerance_ = 0.0;
 };

@@ -41,11 +41,22 @@ struct Neighbour {
   bool is_nearest_image;
 };
 
-/// A particle's cell, as it was found.
+/// A particle's cell, as it was found; offsets in space, where wanted.
+template <int Dim>
 struct FoundCell {
+  struct Face {
+    Neighbour neighbour;
+    double area;
+    Vector<Dim> offset;
+  };
+  struct OnWall {
+    std::uint32_t wall;
+    double area;
+    Vector<Dim> offset;
+  };
   double volume = 0.0;
-  std::vector<std::pair<Neighbour, double>> faces;      ///< with their areas
-  std::vector<std::pair<std::uint32_t, double>> walls;  ///< number and area
+  std::vector<Face> faces;
+  std::vector<OnWall> walls;
 };
 
 /// How long things are in a scene [m].
@@ -69,10 +80,15 @@ class NoCell : public std::invalid_argument {
 template <int Dim>
 class CellFinder {
  public:
-  CellFinder(PlacesByCell<Dim> const& places, std::vector<BoxWall<Dim>> const& walls, Lengths const& lengths)
-      : domain_(places.grid.domain()), positions_(places.grid.positions()), search_(places), walls_(walls), lengths_(lengths) {}
+  CellFinder(PlacesByCell<Dim> const& places, std::vector<BoxWall<Dim>> const& walls, Lengths const& lengths, bool wants_offsets)
+      : domain_(places.grid.domain()),
+        positions_(places.grid.positions()),
+        search_(places),
+        walls_(walls),
+        lengths_(lengths),
+        wants_offsets_(wants_offsets) {}
 
-  FoundCell const& find(std::size_t i) {
+  FoundCell<Dim> const& find(std::size_t i) {
     Vector<Dim> const x = domain_.to_box(positions_[i]);
     // Differences of coordinates are no better than that.
     double tolerance = 4.0 * std::numeric_limits<double>::epsilon() * std::max(lengths_.largest_coordinate, lengths_.spacing);
@@ -136,14 +152,14 @@ class CellFinder {
     found_.volume = 0.0;
     found_.faces.clear();
     found_.walls.clear();
-    return cell_.for_each_face([&](CellPlane<Dim> const& plane, double area) {
+    return cell_.for_each_face(wants_offsets_, [&](CellPlane<Dim> const& plane, double area, Vector<Dim> const& offset) {
       if (plane.cut_by < 0 && plane.cut_by > first_wall) touches_box = true;
       double const positive = std::max(area, 0.0);
       found_.volume += plane.distance * positive / Dim;
       if (plane.cut_by >= 0) {
-        found_.faces.emplace_back(cutters_[static_cast<std::size_t>(plane.cut_by)], positive);
+        found_.faces.push_back({cutters_[static_cast<std::size_t>(plane.cut_by)], positive, domain_.to_space(offset)});
       } else if (plane.cut_by <= first_wall) {
-        found_.walls.emplace_back(static_cast<std::uint32_t>(first_wall - plane.cut_by), positive);
+        found_.walls.push_back({static_cast<std::uint32_t>(first_wall - plane.cut_by), positive, domain_.to_space(offset)});
       }
     });
   }
@@ -160,7 +176,7 @@ class CellFinder {
     if (!domain_.is_periodic()) return;
     std::vector<std::uint32_t>& met = met_;
     met.clear();
-    for (auto const& [neighbour, area] : found_.faces) {
+    for (auto const& [neighbour, area, offset] : found_.faces) {
       if (neighbour.particle == i) complain(i, "has a Voronoi cell that meets its own image" + too_few());
       if (!neighbour.is_nearest_image)
         complain(i, "has a Voronoi cell that meets particle " + std::to_string(neighbour.particle) + " beyond half of the periodic axis" + too_few());
@@ -188,11 +204,12 @@ class CellFinder {
   RingSearch<Dim> search_;
   std::vector<BoxWall<Dim>> const& walls_;
   Lengths lengths_;
+  bool wants_offsets_;
   ConvexCell<Dim> cell_;
   std::vector<Near> near_;
   std::vector<Neighbour> cutters_;
   std::vector<std::uint32_t> met_;
-  FoundCell found_;
+  FoundCell<Dim> found_;
 };
 
 /// Of axes along which all particles have one place nothing is known.
@@ -221,8 +238,8 @@ Lengths lengths_of(VectorField<Dim> const& positions, Domain<Dim> const& domain,
 /// Calls block(begin, end, finder) for parts of the particles that together are all. Of several complaints that of the first
 /// particle is thrown, at any number of threads.
 template <int Dim, class Block>
-void find_cells(VectorField<Dim> const& positions, Domain<Dim> const& domain, std::vector<Wall<Dim>> const& walls, int threads,
-                Block const& block) {
+void find_cells(VectorField<Dim> const& positions, Domain<Dim> const& domain, std::vector<Wall<Dim>> const& walls,
+                bool with_offsets, int threads, Block const& block) {
   std::size_t const n = positions.size();
   if (n == 0) return;
   std::vector<BoxWall<Dim>> box_walls;
@@ -241,7 +258,7 @@ void find_cells(VectorField<Dim> const& positions, Domain<Dim> const& domain, st
       n, threads,
       [&](std::size_t begin, std::size_t end) {
         try {
-          CellFinder<Dim> finder(places, box_walls, lengths);
+          CellFinder<Dim> finder(places, box_walls, lengths, with_offsets);
           block(begin, end, finder);
         } catch (NoCell const& error) {
           std::scoped_lock const hold(lock);
@@ -252,17 +269,21 @@ void find_cells(VectorField<Dim> const& positions, Domain<Dim> const& domain, st
   if (first_complaint) throw std::invalid_argument(first_complaint->what());
 }
 
+template <int Dim>
 struct WallFace {
   std::uint32_t particle, wall;
   double area;
+  Vector<Dim> offset;
 };
 
 /// What the cells of some particles side by side are, until the lengths of all rows are known.
+template <int Dim>
 struct Part {
   std::size_t begin = 0;
   std::vector<std::uint32_t> neighbour;
   std::vector<double> area;
-  std::vector<WallFace> walls;
+  std::vector<Vector<Dim>> offset;  ///< if wanted
+  std::vector<WallFace<Dim>> walls;
 };
 
 /// Where row j has i; its end if it does not.
@@ -274,13 +295,20 @@ std::size_t place_in_row(NeighbourList const& list, std::size_t j, std::size_t i
 
 /// Either particle of a pair has measured their face. What they part by is rounding, and where only one of them saw it the
 /// face itself is no more than that.
-void make_symmetric(NeighbourList const& list, LargeArray<double>& area, int threads) {
-  LargeArray<double> const measured = area;
+template <int Dim>
+void make_symmetric(VoronoiCells<Dim>& cells, int threads) {
+  NeighbourList const& list = cells.faces;
+  LargeArray<double> const area = cells.area;
+  std::array<LargeArray<double>, Dim> const offset = cells.offset;
   for_each_row(list.rows(), threads, [&](std::size_t i) {
     for (std::size_t k = list.first[i]; k < list.first[i + 1]; ++k) {
       std::size_t const j = list.neighbour[k];
       std::size_t const back = place_in_row(list, j, i);
-      area[k] = back < list.first[j + 1] ? 0.5 * (measured[k] + measured[back]) : 0.0;
+      bool const is_seen_by_both = back < list.first[j + 1];
+      cells.area[k] = is_seen_by_both ? 0.5 * (area[k] + area[back]) : 0.0;
+      for (std::size_t n = 0; n < Dim; ++n) {
+        if (is_seen_by_both && !offset[n].empty()) cells.offset[n][k] = 0.5 * (offset[n][k] + offset[n][back]);
+      }
     }
   });
 }
@@ -289,43 +317,50 @@ void make_symmetric(NeighbourList const& list, LargeArray<double>& area, int thr
 
 template <int Dim>
 VoronoiCells<Dim> find_voronoi_cells(VectorField<Dim> const& positions, Domain<Dim> const& domain,
-                                     std::vector<Wall<Dim>> const& walls, int threads) {
+                                     std::vector<Wall<Dim>> const& walls, int threads, bool with_offsets) {
   std::size_t const n = positions.size();
   VoronoiCells<Dim> cells;
   cells.volume.resize(n);
   cells.faces.first.assign(n + 1, 0);
   cells.walls.resize(walls.size());
-  std::vector<Part> parts;
+  std::vector<Part<Dim>> parts;
   std::mutex lock;
-  find_cells(positions, domain, walls, threads, [&](std::size_t begin, std::size_t end, CellFinder<Dim>& finder) {
-    Part part{.begin = begin, .neighbour = {}, .area = {}, .walls = {}};
+  find_cells(positions, domain, walls, with_offsets, threads, [&](std::size_t begin, std::size_t end, CellFinder<Dim>& finder) {
+    Part<Dim> part{.begin = begin, .neighbour = {}, .area = {}, .offset = {}, .walls = {}};
     for (std::size_t i = begin; i < end; ++i) {
-      FoundCell const& cell = finder.find(i);
+      FoundCell<Dim> const& cell = finder.find(i);
       cells.volume[i] = cell.volume;
       cells.faces.first[i + 1] = cell.faces.size();
-      for (auto const& [neighbour, area] : cell.faces) {
-        part.neighbour.push_back(neighbour.particle);
-        part.area.push_back(area);
+      for (auto const& face : cell.faces) {
+        part.neighbour.push_back(face.neighbour.particle);
+        part.area.push_back(face.area);
+        if (with_offsets) part.offset.push_back(face.offset);
       }
-      for (auto const& [wall, area] : cell.walls) part.walls.push_back({static_cast<std::uint32_t>(i), wall, area});
+      for (auto const& face : cell.walls) part.walls.push_back({static_cast<std::uint32_t>(i), face.wall, face.area, face.offset});
     }
     std::scoped_lock const hold(lock);
     parts.push_back(std::move(part));
   });
-  std::sort(parts.begin(), parts.end(), [](Part const& a, Part const& b) { return a.begin < b.begin; });
+  std::sort(parts.begin(), parts.end(), [](Part<Dim> const& a, Part<Dim> const& b) { return a.begin < b.begin; });
   for (std::size_t i = 0; i < n; ++i) cells.faces.first[i + 1] += cells.faces.first[i];
   cells.faces.neighbour.resize(cells.faces.first[n]);
   cells.area.resize(cells.faces.first[n]);
-  for (Part const& part : parts) {
+  for (std::size_t k = 0; with_offsets && k < Dim; ++k) cells.offset[k].resize(cells.faces.first[n]);
+  for (Part<Dim> const& part : parts) {
     auto const at = static_cast<std::ptrdiff_t>(cells.faces.first[part.begin]);
     std::copy(part.neighbour.begin(), part.neighbour.end(), cells.faces.neighbour.begin() + at);
     std::copy(part.area.begin(), part.area.end(), cells.area.begin() + at);
-    for (WallFace const& face : part.walls) {
+    for (std::size_t f = 0; f < part.offset.size(); ++f) {
+      for (std::size_t k = 0; k < Dim; ++k)
+        cells.offset[k][cells.faces.first[part.begin] + f] = part.offset[f][static_cast<Eigen::Index>(k)];
+    }
+    for (WallFace<Dim> const& face : part.walls) {
       cells.walls[face.wall].particle.push_back(face.particle);
       cells.walls[face.wall].area.push_back(face.area);
+      if (with_offsets) cells.walls[face.wall].offset.push_back(face.offset);
     }
   }
-  make_symmetric(cells.faces, cells.area, threads);
+  make_symmetric(cells, threads);
   return cells;
 }
 
@@ -333,7 +368,7 @@ template <int Dim>
 std::vector<double> voronoi_volumes(VectorField<Dim> const& positions, Domain<Dim> const& domain,
                                     std::vector<Wall<Dim>> const& walls, int threads) {
   std::vector<double> volume(positions.size());
-  find_cells(positions, domain, walls, threads, [&](std::size_t begin, std::size_t end, CellFinder<Dim>& finder) {
+  find_cells(positions, domain, walls, false, threads, [&](std::size_t begin, std::size_t end, CellFinder<Dim>& finder) {
     for (std::size_t i = begin; i < end; ++i) volume[i] = finder.find(i).volume;
   });
   return volume;
@@ -341,7 +376,7 @@ std::vector<double> voronoi_volumes(VectorField<Dim> const& positions, Domain<Di
 
 #define SPHVERIFY_INSTANTIATE(Dim)                                                                                   \
   template VoronoiCells<Dim> find_voronoi_cells(VectorField<Dim> const&, Domain<Dim> const&,                         \
-                                                std::vector<Wall<Dim>> const&, int);                                 \
+                                                std::vector<Wall<Dim>> const&, int, bool);                           \
   template std::vector<double> voronoi_volumes(VectorField<Dim> const&, Domain<Dim> const&,                          \
                                                std::vector<Wall<Dim>> const&, int);
 SPHVERIFY_INSTANTIATE(1)

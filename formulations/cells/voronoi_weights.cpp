@@ -12,6 +12,7 @@ NeighbourList voronoi_pairs(VoronoiCells<Dim>&& cells, VectorField<Dim> const& p
                             std::vector<double> const& mass, std::vector<double> const& density, int threads) {
   NeighbourList pairs = std::move(cells.faces);
   pairs.slope = std::move(cells.area);
+  for (std::size_t k = 0; k < Dim; ++k) pairs.offset[k] = std::move(cells.offset[k]);
   for_each_row(pairs.rows(), threads, [&](std::size_t i) {
     for (std::size_t k = pairs.first[i]; k < pairs.first[i + 1]; ++k) {
       std::size_t const j = pairs.neighbour[k];
@@ -24,7 +25,7 @@ NeighbourList voronoi_pairs(VoronoiCells<Dim>&& cells, VectorField<Dim> const& p
 }
 
 template <int Dim>
-WallContacts<Dim> voronoi_contacts(WallFaces const& faces, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& all_walls,
+WallContacts<Dim> voronoi_contacts(WallFaces<Dim> const& faces, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& all_walls,
                                    std::size_t index, SmoothingLength const& h, std::vector<double> const& mass,
                                    std::vector<double> const& density) {
   Wall<Dim> const& wall = all_walls[index];
@@ -34,6 +35,7 @@ WallContacts<Dim> voronoi_contacts(WallFaces const& faces, CellGrid<Dim> const& 
   contacts.prescribes_flux_only = wall.prescribes_flux_only();
   contacts.particle = faces.particle;
   contacts.foot = VectorField<Dim>(faces.particle.size());
+  if (!faces.offset.empty()) contacts.offset = VectorField<Dim>(faces.particle.size());
   contacts.interpolation_first.push_back(0);
   for (std::size_t c = 0; c < faces.particle.size(); ++c) {
     std::uint32_t const i = faces.particle[c];
@@ -42,6 +44,7 @@ WallContacts<Dim> voronoi_contacts(WallFaces const& faces, CellGrid<Dim> const& 
     contacts.face_weight.push_back(0.5 * faces.area[c] * density[i] / mass[i]);
     contacts.foot_density.push_back(density[i]);
     contacts.foot.set(c, foot);
+    if (!faces.offset.empty()) contacts.offset.set(c, faces.offset[c]);
     // Beyond an obtuse corner there is nothing to interpolate from: the face's nearest point stands for it.
     Vector<Dim> const within = nearest_on_face(positions[i], all_walls, index, h(i)).value_or(foot);
     if (add_foot_interpolation(contacts, grid, within, all_walls, h(i), mass, h.kernel()) <= 0.0) {
@@ -66,7 +69,7 @@ void weigh_by_cells(PairGeometry<Dim>& geometry, VoronoiCells<Dim>&& cells, Cell
 #define SPHVERIFY_INSTANTIATE(Dim)                                                                                        \
   template NeighbourList voronoi_pairs(VoronoiCells<Dim>&&, VectorField<Dim> const&, Domain<Dim> const&,                  \
                                        std::vector<double> const&, std::vector<double> const&, int);                      \
-  template WallContacts<Dim> voronoi_contacts(WallFaces const&, CellGrid<Dim> const&, std::vector<Wall<Dim>> const&,      \
+  template WallContacts<Dim> voronoi_contacts(WallFaces<Dim> const&, CellGrid<Dim> const&, std::vector<Wall<Dim>> const&,      \
                                               std::size_t, SmoothingLength const&, std::vector<double> const&,            \
                                               std::vector<double> const&);                                                \
   template void weigh_by_cells(PairGeometry<Dim>&, VoronoiCells<Dim>&&, CellGrid<Dim> const&, SmoothingLength const&,     \

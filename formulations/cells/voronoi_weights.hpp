@@ -19,8 +19,9 @@ enum class PairWeight {
 ///
 /// so that 2 V_i V_j times the slope is minus the face's area over the distance, as the sum over neighbours of Brookshaw's form
 /// (Campbell 1989, Eq. 63) has it. Conductances on such cells are two-point fluxes of finite volumes: Eymard, Gallouet &
-/// Herbin 2000. Of particles at a place nothing enters but mass and density.
-/// @param cells whose faces and areas are taken over
+/// Herbin 2000. Of particles at a place nothing enters but mass and density. Offsets of the faces come along where the cells
+/// have them.
+/// @param cells whose faces, areas and offsets are taken over
 template <int Dim>
 NeighbourList voronoi_pairs(VoronoiCells<Dim>&& cells, VectorField<Dim> const& positions, Domain<Dim> const& domain,
                             std::vector<double> const& mass, std::vector<double> const& density, int threads);
@@ -30,7 +31,7 @@ NeighbourList voronoi_pairs(VoronoiCells<Dim>&& cells, VectorField<Dim> const& p
 /// interpolate with the kernel, as beside any face weight.
 /// @param index of the wall in all_walls
 template <int Dim>
-WallContacts<Dim> voronoi_contacts(WallFaces const& faces, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& all_walls,
+WallContacts<Dim> voronoi_contacts(WallFaces<Dim> const& faces, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& all_walls,
                                    std::size_t index, SmoothingLength const& h, std::vector<double> const& mass,
                                    std::vector<double> const& density);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -17,6 +18,9 @@ struct NeighbourList {
   std::vector<std::size_t> first;       ///< rows + 1 offsets into `neighbour`
   LargeArray<std::uint32_t> neighbour;  ///< one entry per directed pair
   LargeArray<double> slope{};           ///< of each, in place of W'(r)/r [m^-(Dim+2)]; empty: the kernel's
+  /// Of each, from the middle between both particles to the centroid of the face that they share, component by component [m];
+  /// empty where no scheme reads it, or where there are no faces.
+  std::array<LargeArray<double>, 3> offset{};
 
   std::size_t rows() const { return first.size() - 1; }
   std::size_t pairs() const { return neighbour.size(); }
@@ -25,9 +29,14 @@ struct NeighbourList {
   }
   std::size_t bytes() const {
     return first.capacity() * sizeof(std::size_t) + neighbour.capacity() * sizeof(std::uint32_t) +
-           slope.capacity() * sizeof(double);
+           (slope.capacity() + offset[0].capacity() + offset[1].capacity() + offset[2].capacity()) * sizeof(double);
   }
 };
+
+/// Whether every pair has its face's offset.
+inline bool has_offsets(NeighbourList const& list, int dimension) {
+  return list.offset[static_cast<std::size_t>(dimension - 1)].size() == list.pairs();
+}
 
 /// Every pair closer than the grid's reach.
 /// @param old a list that is no longer needed: its memory is used again, which saves more than it seems,

@@ -63,6 +63,13 @@ template <class Scheme, std::size_t n, int Dim>
 inline constexpr bool wants_value<PassTerm<Scheme, n, Dim>> =
     PassTerm<Scheme, n, Dim>::Pass::info.kernel.contains(KernelWeight::value);
 
+/// Whether the term reads the offsets of faces.
+template <class Term>
+inline constexpr bool wants_offset = false;
+template <class Scheme, std::size_t n, int Dim>
+inline constexpr bool wants_offset<PassTerm<Scheme, n, Dim>> =
+    PassTerm<Scheme, n, Dim>::Pass::info.kernel.contains(KernelWeight::face_offset);
+
 /// Whether the term reads `u`.
 template <class Term>
 inline constexpr bool reads_state_velocity = requires {
@@ -120,6 +127,9 @@ void fused_rows_in(SweepPlan const& plan, std::size_t begin, std::size_t end) {
             W.weight = Pack(std::numeric_limits<double>::quiet_NaN());
           else if constexpr ((wants_value<Terms> || ...))
             W.weight = Pack(Kernel::sigma) * integer_power<Dim>(Pack(per_h)) * Kernel::shape(W.length * Pack(per_h));
+          if constexpr (is_stored<Kernel> && (wants_offset<Terms> || ...)) {
+            for (std::size_t n = 0; n < Dim; ++n) W.face.component[n] = load_stored(plan.offset[n] + plan.first[i] + k, idle);
+          }
           terms.add(slots, ReadOwn{own}, ReadRegisters{columns}, W);
         });
     terms.write(plan.terms, h, i);
@@ -149,12 +159,21 @@ constexpr FusedSweep fused() {
           .rows = fused_rows<Dim, Kernel, Terms...>};
 }
 
-/// One for every pass of a scheme alone.
 template <int Dim, class Kernel, class Scheme>
-constexpr auto fused_passes() {
+constexpr auto fused_of_all_passes() {
   return []<std::size_t... n>(std::index_sequence<n...>) {
     return std::array{fused<Dim, Kernel, PassTerm<Scheme, n, Dim>>()...};
   }(std::make_index_sequence<std::tuple_size_v<AllPasses<Scheme>>>());
+}
+
+/// One for every pass of a scheme alone; none with a kernel for what reads the faces of cells.
+template <int Dim, class Kernel, class Scheme>
+constexpr auto fused_passes() {
+  if constexpr (!is_stored<Kernel> && reads_face_offsets(Scheme::info)) {
+    return std::array<FusedSweep, 0>{};
+  } else {
+    return fused_of_all_passes<Dim, Kernel, Scheme>();
+  }
 }
 
 /// Several lists as one.

@@ -99,6 +99,7 @@ class Gatherer {
         distance_(scratch + stride() * part_size),
         radial_(distance_ + part_size),
         value_(radial_ + part_size),
+        offset_(value_ + part_size),
         h_(plan.h),
         per_h_(1.0 / plan.h),
         scale_(scale(plan.h)),
@@ -109,14 +110,14 @@ class Gatherer {
   /// @param list particle i's neighbours, or at most part_size of them
   SPHVERIFY_INLINE Row gather(std::size_t i, std::uint32_t const* list, std::size_t count) {
     double const* const own = plan_.records + i * stride();
-    if constexpr (is_stored<Kernel>) slope_ = plan_.slope + (list - plan_.neighbour);
+    if constexpr (is_stored<Kernel>) first_ = list - plan_.neighbour;
     for_each_four(
         list, count,
         [&](std::uint32_t const* four, std::size_t k, std::size_t idle)
             SPHVERIFY_FORCE_INLINE { add(own, four, k, idle); });
     std::size_t const padded = (count + Pack::size - 1) / Pack::size * Pack::size;
     double const h = own_lengths ? own[plan_.slots.h] : h_;
-    return {plan_.slots, own, columns_, distance_, radial_, value_, padded, h};
+    return {plan_.slots, own, columns_, distance_, radial_, value_, offset_, padded, h};
   }
 
  private:
@@ -160,7 +161,9 @@ class Gatherer {
     r.store(distance_ + k);
     if constexpr (is_stored<Kernel>) {
       if (wants_value_) Pack(std::numeric_limits<double>::quiet_NaN()).store(value_ + k);
-      load_stored(slope_ + k, idle).store(radial_ + k);
+      load_stored(plan_.slope + first_ + k, idle).store(radial_ + k);
+      for (std::size_t n = 0; n < Dim && plan_.offset[n] != nullptr; ++n)
+        load_stored(plan_.offset[n] + first_ + k, idle).store(offset_ + n * part_size + k);
       return;
     } else {
       add_kernel(r, per_h, k);
@@ -181,7 +184,8 @@ class Gatherer {
   double* distance_;
   double* radial_;
   double* value_;
-  double const* slope_ = nullptr;  ///< of the row, where it is stored
+  double* offset_;
+  std::ptrdiff_t first_ = 0;  ///< where in the list a row begins, whose weights are stored
   double h_, per_h_, scale_;
   bool wants_separation_, wants_radial_, wants_value_;
 };
@@ -247,7 +251,7 @@ template <int Dim, class Kernel>
 void conductances(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
                   std::size_t end, double* scratch, double* out) {
   auto const run = [&](auto gatherer) {
-    double* const padded = scratch + (plan.stride + 3) * part_size;
+    double* const padded = scratch + (plan.stride + 6) * part_size;
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t from = plan.first[i]; from < plan.first[i + 1]; from += part_size) {
         std::size_t const left = plan.first[i + 1] - from;

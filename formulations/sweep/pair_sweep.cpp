@@ -141,6 +141,10 @@ void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel
   reads_ = reads_ | reads;
   if (kernel.contains(KernelWeight::gradient) || kernel.contains(KernelWeight::radial)) wants_radial_ = true;
   if (kernel.contains(KernelWeight::value)) wants_value_ = true;
+  if (kernel.contains(KernelWeight::face_offset)) {
+    expects(has_offsets(neighbours_, Dim));
+    wants_offset_ = true;
+  }
   if (kernel.contains(KernelWeight::gradient) || reads.contains(Field::velocity)) wants_separation_ = true;
 }
 
@@ -172,6 +176,7 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .first = neighbours_.first.data(),
                  .neighbour = neighbours_.neighbour.data(),
                  .slope = neighbours_.slope.empty() ? nullptr : neighbours_.slope.data(),
+                 .offset = {},
                  .h = particles.smoothing_length(),
                  .wrapping = Wrapping::none,
                  .period = {},
@@ -183,6 +188,7 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .terms = terms_.data(),
                  .term_count = terms_.size()};
   if (domain_.is_periodic()) plan.wrapping = domain_.is_turned() ? Wrapping::turned : Wrapping::along_axes;
+  for (std::size_t k = 0; wants_offset_ && k < Dim; ++k) plan.offset[k] = neighbours_.offset[k].data();
   for (int k = 0; k < Dim; ++k) {
     for (int n = 0; n < Dim; ++n) plan.axes[static_cast<std::size_t>(k * Dim + n)] = domain_.axes(n, k);
     if (!domain_.periodic[k]) continue;

@@ -73,6 +73,7 @@ struct Row {
   double const* distance;  ///< r_ij  [m]
   double const* radial;    ///< W'(r)/r; only if some term reads the gradient or this
   double const* value;     ///< W; only if some term reads it
+  double const* offset;    ///< component n of neighbour k's is offset[n * part_size + k]; only if some term reads it
   std::size_t count;       ///< neighbours, filled up to whole packs with ones out of reach
   double h;                ///< the particle's own smoothing length [m]
 };
@@ -103,6 +104,7 @@ struct SweepPlan {
   std::size_t const* first;
   std::uint32_t const* neighbour;
   double const* slope;  ///< NeighbourList::slope; null where the kernel gives it
+  std::array<double const*, 3> offset;  ///< NeighbourList::offset; null unless some term reads it
   double h;             ///< the common smoothing length, where slots.h < 0
   Wrapping wrapping;
   std::array<double, 3> period;          ///< 0 along axes that are not periodic
@@ -157,6 +159,6 @@ struct SweepKernels {
 };
 
 /// Doubles of scratch memory that a plan's rows need.
-constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 4) * part_size; }
+constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 7) * part_size; }
 
 }  // namespace sphverify

@@ -134,6 +134,11 @@ class KernelColumns {
     return value;
   }
   SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {radial(), separation()}; }  ///< grad_i W_ij
+  SPHVERIFY_INLINE PackVector<Dim> offset() const {  ///< from (r_i + r_j)/2 to the centroid of their face
+    PackVector<Dim> value;
+    for (int d = 0; d < Dim; ++d) value.component[d] = Pack::load(row_.offset + static_cast<std::size_t>(d) * part_size + k_);
+    return value;
+  }
   SPHVERIFY_INLINE Pack h() const {                                                         ///< of the pair
     if (row_.slots.h < 0) return row_.h;
     return Pack(0.5) * (Pack(row_.h) + ReadColumns{row_.columns + k_}(row_.slots.h));
@@ -151,6 +156,7 @@ struct KernelRegisters {
   PackVector<Dim> r;
   Pack squared, length, slope, weight;
   Pack inverse;  ///< of the divisor that one of the terms has
+  PackVector<Dim> face;
   double common_h;
 
   SPHVERIFY_INLINE Pack radial() const { return slope; }
@@ -160,6 +166,7 @@ struct KernelRegisters {
   SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, inverse}; }
   SPHVERIFY_INLINE PackVector<Dim> separation() const { return r; }
   SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
+  SPHVERIFY_INLINE PackVector<Dim> offset() const { return face; }
   SPHVERIFY_INLINE Pack h() const { return common_h; }
   SPHVERIFY_INLINE double own_h() const { return common_h; }
 };
@@ -192,6 +199,11 @@ class DeclaredKernel {
     requires(weights.contains(KernelWeight::gradient))
   {
     return all_.gradient();
+  }
+  SPHVERIFY_INLINE auto offset() const
+    requires(weights.contains(KernelWeight::face_offset))
+  {
+    return all_.offset();
   }
 
  private:

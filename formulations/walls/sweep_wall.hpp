@@ -20,7 +20,8 @@ void increase(TensorField<Dim>& out, std::size_t i, Tensor<Dim> const& value) {
 
 /// out_i += term(i, wall) for every contact; returns the terms, one per contact.
 /// @tparam of_particle, of_wall what the term may read
-template <class Value, FieldSet of_particle, BoundaryValueSet of_wall, int Dim, class Out, class Term>
+/// @tparam has_faces whether contacts have the offsets of faces
+template <class Value, FieldSet of_particle, BoundaryValueSet of_wall, bool has_faces = false, int Dim, class Out, class Term>
 std::vector<Value> sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> const& particles, Out& out,
                               Term const& term) {
   FieldPointers<Dim> const fields(particles);
@@ -28,7 +29,7 @@ std::vector<Value> sweep_wall(WallContacts<Dim> const& contacts, Particles<Dim> 
   terms.reserve(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     terms.push_back(term(ParticleView<Dim, of_particle>(fields, contacts.particle[c]),
-                         WallView<Dim, of_wall>(contacts, c)));
+                         WallView<Dim, of_wall, has_faces>(contacts, c)));
     increase(out, contacts.particle[c], terms.back());
   }
   return terms;

@@ -130,8 +130,8 @@ class ParticleView {
 };
 
 /// A wall at the foot point of particle i as a scheme sees it: geometry and the density there always, else what is among
-/// `reads`.
-template <int Dim, BoundaryValueSet reads>
+/// `reads`, and where it has faces of cells their offsets.
+template <int Dim, BoundaryValueSet reads, bool has_faces = false>
 class WallView {
  public:
   WallView(WallContacts<Dim> const& contacts, std::size_t contact) : w_(&contacts), c_(contact) {}
@@ -140,6 +140,12 @@ class WallView {
   Vector<Dim> n() const { return w_->outward_normal; }
   Vector<Dim> S() const { return w_->face_weight[c_] * w_->outward_normal; }
   double d() const { return w_->distance[c_]; }
+  /// From the foot point to the centroid of the cell's face on the wall  [m]
+  Vector<Dim> offset() const
+    requires(has_faces)
+  {
+    return w_->offset[c_];
+  }
   double rho() const { return w_->foot_density[c_]; }
   double P() const
     requires(reads.contains(BoundaryValue::pressure))

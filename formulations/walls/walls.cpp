@@ -41,7 +41,7 @@ std::size_t WallContacts<Dim>::bytes() const {
   std::size_t const doubles = distance.capacity() + face_weight.capacity() + foot_density.capacity() +
                               pressure.capacity() + temperature.capacity() + conductivity.capacity() +
                               interpolation_kernel.capacity() +
-                              Dim * (foot.size() + velocity.size() + flux.size());
+                              Dim * (foot.size() + offset.size() + velocity.size() + flux.size());
   return sizeof(double) * doubles +
          sizeof(std::uint32_t) * (particle.capacity() + interpolation_neighbour.capacity()) +
          sizeof(std::size_t) * interpolation_first.capacity();

@@ -98,6 +98,7 @@ struct WallContacts {
   std::vector<double> face_weight;      ///< A_i [1/m]
   std::vector<double> foot_density;     ///< rho_B(i), see foot_density()
   VectorField<Dim> foot;                ///< r_B [m]
+  VectorField<Dim> offset;              ///< from r_B to the centroid of a cell's face on the wall [m]; empty unless a scheme reads it
 
   std::vector<double> pressure, temperature, conductivity;  ///< empty unless a scheme asked for them
   VectorField<Dim> velocity, flux;

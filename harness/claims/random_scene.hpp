@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "formulations/cells/voronoi_weights.hpp"
 #include "formulations/rate_operator.hpp"
 
 // Particles that carry every field, with walls, and the rates of one scheme on them: what a scheme is held to its claims on,
@@ -63,7 +64,19 @@ struct RandomScene {
   FaceWeight face_weight = FaceWeight::exact;
   Closure closure = Closure::interpolated;
   double time = 0.4;
+  std::vector<Wall<Dim>> enclosure{};  ///< where cells end that no wall bounds, without being felt
 };
+
+/// The sides of a box.
+template <int Dim>
+std::vector<Wall<Dim>> sides_of(Vector<Dim> const& lower, Vector<Dim> const& upper) {
+  std::vector<Wall<Dim>> sides;
+  for (int k = 0; k < Dim; ++k) {
+    sides.push_back({.point = lower, .outward_normal = -Vector<Dim>::Unit(k)});
+    sides.push_back({.point = upper, .outward_normal = Vector<Dim>::Unit(k)});
+  }
+  return sides;
+}
 
 inline constexpr FieldSet all_fields{Field::position,     Field::mass,         Field::density,
                                      Field::velocity,     Field::pressure,     Field::internal_energy,
@@ -126,6 +139,7 @@ RandomScene<Dim> random_scene(std::uint64_t seed, std::size_t count, BoundaryVal
   double const h = 1.3 * std::pow(static_cast<double>(count), -1.0 / Dim);
   RandomScene<Dim> scene{.particles = Particles<Dim>(count, h),
                          .domain = {.lower = Vector<Dim>::Zero(), .upper = Vector<Dim>::Ones()}};
+  scene.enclosure = sides_of<Dim>(Vector<Dim>::Constant(-0.1), Vector<Dim>::Constant(1.1));
   for (std::size_t i = 0; i < count; ++i) scene.particles.positions().set(i, random.vector<Dim>(0.0, 1.0));
   randomise_fields(scene.particles, random);
   Vector<Dim> normal = random.direction<Dim>();
@@ -159,6 +173,7 @@ RandomScene<Dim> lattice_scene(int side, double spacing, double smoothing_ratio)
   Vector<Dim> const corner = Vector<Dim>::Constant(0.5 * spacing * side);
   RandomScene<Dim> scene{.particles = Particles<Dim>(count, smoothing_ratio * spacing),
                          .domain = {.lower = -corner, .upper = corner}};
+  scene.enclosure = sides_of<Dim>(-corner, corner);
   scene.particles.allocate(all_fields);
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t rest = i;
@@ -199,6 +214,10 @@ RandomScene<Dim> transformed(RandomScene<Dim> scene, Matrix<Dim> const& turn, Ve
       };
     }
   }
+  for (Wall<Dim>& side : scene.enclosure) {
+    side.point = turn * side.point + shift;
+    side.outward_normal = turn * side.outward_normal;
+  }
   return scene;
 }
 
@@ -218,6 +237,33 @@ PairGeometry<Dim> geometry_of(RandomScene<Dim> const& scene, bool with_walls = t
                            scene.particles.scalar(Field::density), scene.face_weight));
   }
   return geometry;
+}
+
+/// Pairs and contacts by the faces of cells, which end at the walls whether these are felt or not.
+template <int Dim>
+PairGeometry<Dim> faces_of(RandomScene<Dim> const& scene, bool with_walls = true) {
+  Particles<Dim> const& p = scene.particles;
+  SmoothingLength const h(p);
+  CellGrid<Dim> const grid(p.positions(), scene.domain, h.kernel().support_ratio() * h.largest());
+  std::vector<Wall<Dim>> bounds;  // none of a periodic box
+  if (!scene.domain.is_periodic()) {
+    bounds = scene.walls;
+    bounds.insert(bounds.end(), scene.enclosure.begin(), scene.enclosure.end());
+  }
+  PairGeometry<Dim> geometry;
+  geometry.domain = scene.domain;
+  if (!bounds.empty()) geometry.walls = scene.walls;
+  weigh_by_cells(geometry, find_voronoi_cells(p.positions(), scene.domain, bounds, 1, true), grid, h, p.masses(),
+                 p.scalar(Field::density), 1);
+  if (!with_walls) geometry.contacts.clear();
+  return geometry;
+}
+
+/// That of the two which the scheme can read.
+template <int Dim>
+PairGeometry<Dim> geometry_for(std::string_view id, RandomScene<Dim> const& scene, bool with_walls = true) {
+  SchemeInfo const* const scheme = find_scheme(id);
+  return scheme && reads_face_offsets(*scheme) ? faces_of(scene, with_walls) : geometry_of(scene, with_walls);
 }
 
 /// What one evaluation of a scheme gave: `acceleration` or `heating`, and `flux` of a two-pass form.
@@ -286,7 +332,7 @@ Rates<Dim> evaluate(RandomScene<Dim> const& scene, std::string_view id, bool wit
     RandomScene<Dim> const wide = widened(scene);
     return evaluate(wide, id, geometry_of(wide, with_walls), threads);
   }
-  return evaluate(scene, id, geometry_of(scene, with_walls), threads);
+  return evaluate(scene, id, geometry_for(id, scene, with_walls), threads);
 }
 
 inline double largest(std::vector<double> const& values) {

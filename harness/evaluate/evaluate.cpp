@@ -198,8 +198,7 @@ std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
       return fmt::format("the state gives no {}", field.name);
     }
   }
-  if (state.pair_weight != PairWeight::kernel) return std::string(why_no_pair_weights(scheme));
-  return "";
+  return std::string(state.pair_weight == PairWeight::kernel ? why_no_kernel_weights(scheme) : why_no_pair_weights(scheme));
 }
 
 template <int Dim>
@@ -217,7 +216,7 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
     bool const by_kernel = state.pair_weight == PairWeight::kernel;
     VoronoiCells<Dim> cells;
     if (!by_kernel || state.density_rule == DensityRule::voronoi)
-      cells = find_voronoi_cells(particles.positions(), state.domain, state.walls, 1);
+      cells = find_voronoi_cells(particles.positions(), state.domain, state.walls, 1, true);
     geometry.neighbours = find_neighbours(grid);
     remarks = remarks_on(particles, geometry.neighbours, state.domain);
     auto& density = particles.scalar(Field::density);

@@ -62,7 +62,7 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
   auto& density = particles.scalar(Field::density);
   VoronoiCells<Dim> cells;
   if (!weighs_by_kernel() || choice_.density == DensityRule::voronoi) {
-    cells = find_voronoi_cells(particles.positions(), geometry_.domain, all_walls, choice_.threads);
+    cells = find_voronoi_cells(particles.positions(), geometry_.domain, all_walls, choice_.threads, choice_.face_offsets);
     ++passes_["voronoi-cells"];
   }
   if (choice_.density == DensityRule::voronoi) {

@@ -27,6 +27,7 @@ class MovingGeometry {
     PairWeight pair_weight = PairWeight::kernel;
     WallTreatmentPart const* behind_walls = nullptr;  ///< what stands behind them; null: nothing
     double spacing = 0.0;                             ///< of the layout, for those [m]
+    bool face_offsets = false;                        ///< whether a form reads where faces have their centroids
   };
 
   MovingGeometry(Domain<Dim> const& domain, Choice const& choice);

@@ -48,7 +48,8 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
                                   .threads = choice.threads,
                                   .pair_weight = pair_weight_words.value(choice.discretisation.pair_weight),
                                   .behind_walls = find_wall_treatment(choice.walls.word),
-                                  .spacing = spacing_of(problem_.domain, choice.discretisation.layout, choice.resolution)}) {
+                                  .spacing = spacing_of(problem_.domain, choice.discretisation.layout, choice.resolution),
+                                  .face_offsets = read_face_offsets()}) {
   if (has_continuity()) continuity_operator_ = make_continuity_operator<Dim>();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall<Dim>& wall = walls_[w];

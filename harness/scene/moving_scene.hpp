@@ -105,12 +105,17 @@ class MovingScene {
 
  private:
   bool has_continuity() const { return density_rule_ == DensityRule::continuity; }
+  bool read_face_offsets() const {
+    auto const reads = [](auto const& one) { return one && reads_face_offsets(one->info()); };
+    return reads(momentum_operator_) || reads(work_operator_) || reads(conduction_operator_);
+  }
   bool evolves_total_energy() const { return work_operator_->info().rate == Rate::total_work; }
   void place_particles(SceneChoice const& choice);
   void load(double const* state);
   void place_walls(double time, double const* displacements);
   void require_order(double time) const;
   double conduction_step(std::size_t i) const;
+  double cells_step() const;
   void find_geometry(double time);
   void set_gas(double time);
   void evaluate_motion(double time, bool drifts);

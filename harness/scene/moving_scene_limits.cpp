@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formulations/basics/parallel.hpp"
 #include "formulations/sweep/approach.hpp"
 
 // How long a step may be, and what must not happen within one.
@@ -56,8 +57,43 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   std::vector<StepLimit> limits{{"courant", courant}, {"force", force}, {"approach", 1.0 / approach}};
   if (is_on(viscosity_)) limits.push_back({"viscosity", viscosity});
   if (conduction_operator_) limits.push_back({"conduction", conduction});
+  if (reads_face_offsets(momentum_operator_->info())) limits.push_back({"cells", cells_step()});
   for (StepLimit& limit : limits) limit.step *= courant_number;
   return limits;
+}
+
+/// Three over a bound of the largest frequency about rest of a gas whose energy is that of its cells' volumes. Its square is
+/// the largest eigenvalue of B^T B, B_ij = (c_i/V_i) sqrt(m_i/m_j) |dV_i/dr_j|, and no larger than the largest sum of a row of B
+/// times the largest of a column. A face turns about its pair as fast as the pair is short, which no smoothing length knows.  [s]
+template <int Dim>
+double MovingScene<Dim>::cells_step() const {
+  auto const& x = particles_.positions();
+  auto const& m = particles_.masses();
+  auto const& c = particles_.scalar(Field::sound_speed);
+  auto const& rho = particles_.scalar(Field::density);
+  NeighbourList const& list = geometry().neighbours;
+  std::vector<double> of_row(x.size()), of_column(x.size());
+  for_each_row(x.size(), threads_, [&](std::size_t i) {
+    double row = 0.0, column = 0.0;
+    Vector<Dim> own = Vector<Dim>::Zero();  // dV_i/dr_i/V_i, and as a column's
+    for (std::size_t k = list.first[i]; k < list.first[i + 1]; ++k) {
+      std::size_t const j = list.neighbour[k];
+      Vector<Dim> const half = 0.5 * problem_.domain.nearest_image(x[i] - x[j]);
+      Vector<Dim> offset;
+      for (int n = 0; n < Dim; ++n) offset[n] = list.offset[static_cast<std::size_t>(n)][k];
+      // -2 V_j R_ij = a_ij/(V_i r_ij)
+      double const per_volume = -2.0 * list.slope[k] * m[j] / rho[j];
+      row += per_volume * std::sqrt(m[i] / m[j]) * (half + offset).norm();
+      double const per_other = -2.0 * list.slope[k] * m[i] / rho[i];
+      column += per_other * c[j] * std::sqrt(m[j] / m[i]) * (half - offset).norm();
+      own += per_volume * (offset - half);
+    }
+    of_row[i] = c[i] * (row + own.norm());
+    of_column[i] = column + c[i] * own.norm();
+  });
+  double const row = *std::max_element(of_row.begin(), of_row.end());
+  double const column = *std::max_element(of_column.begin(), of_column.end());
+  return 3.0 / std::sqrt(row * column);
 }
 
 /// By the kernel's width; where pairs have weights of their own, by the sum of the particle's conductances, half of which
@@ -143,6 +179,7 @@ void MovingScene<Dim>::require_order(double time) const {
 #define SPHVERIFY_INSTANTIATE(D)                                        \
   template std::vector<StepLimit> MovingScene<D>::step_limits() const;  \
   template double MovingScene<D>::conduction_step(std::size_t) const;   \
+  template double MovingScene<D>::cells_step() const;                   \
   template std::string MovingScene<D>::closest_approach() const;        \
   template void MovingScene<D>::require_order(double time) const;
 SPHVERIFY_INSTANTIATE(1)

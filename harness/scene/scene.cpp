@@ -47,7 +47,7 @@ void Scene<Dim>::find_geometry(SceneChoice const& choice) {
   geometry_.domain = problem_.domain;
   VoronoiCells<Dim> cells;
   if (!by_kernel || rule == DensityRule::voronoi) {
-    cells = find_voronoi_cells(particles_.positions(), problem_.domain, problem_.walls, threads_);
+    cells = find_voronoi_cells(particles_.positions(), problem_.domain, problem_.walls, threads_, reads_face_offsets(scheme()));
     ++passes_["voronoi-cells"];
   }
   if (by_kernel) {

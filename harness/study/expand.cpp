@@ -84,6 +84,14 @@ std::string without_pair_weight(std::string const& id) {
   return reason.empty() ? "" : fmt::format("pair weight voronoi: {} {}", id, reason);
 }
 
+/// Why a form that pushes through faces of cells cannot run so; empty if it can, or is none.
+std::string without_faces(std::string const& id, Discretisation const& d, bool moving) {
+  SchemeInfo const* const scheme = find_scheme(id);
+  if (!scheme || !reads_face_offsets(*scheme)) return "";
+  if (d.pair_weight == "kernel") return fmt::format("{} {}", id, why_no_kernel_weights(*scheme));
+  return moving && d.density != "voronoi" ? fmt::format("{} works on the volumes of cells: take density voronoi, not {}", id, d.density) : "";
+}
+
 bool brings_weights(std::string const& id) {
   SchemeInfo const* const scheme = find_scheme(id);
   return scheme && scheme->least_squares;
@@ -162,6 +170,9 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
     for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
       if (std::string reason = without_pair_weight(id); !reason.empty()) return reason;
     }
+  }
+  for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
+    if (std::string reason = without_faces(id, d, moving); !reason.empty()) return reason;
   }
   if (brings_weights(formulation.id) && d.face_weight != study.face_weights.front())
     return fmt::format("face weight {} changes nothing in {}, which weighs foot points by least squares", d.face_weight, formulation.id);

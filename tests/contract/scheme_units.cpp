@@ -72,6 +72,8 @@ RandomScene<Dim> in_units(RandomScene<Dim> const& scene, Units const& u) {
       }
     }
   }
+  scaled.enclosure = scene.enclosure;
+  for (Wall<Dim>& side : scaled.enclosure) side.point *= u.length;
   for (Wall<Dim>& wall : scaled.walls) {
     wall.point *= u.length;
     auto const scalar = [&u](ScalarAtWall<Dim>& value, double factor) {

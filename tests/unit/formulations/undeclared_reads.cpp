@@ -44,6 +44,17 @@ BOOST_AUTO_TEST_CASE(a_view_of_a_wall_has_its_density_and_what_is_declared) {
   BOOST_TEST(!(reads_flux<View> || reads_velocity<View>));
 }
 
+template <class View>
+constexpr bool reads_offset = requires(View const& one) { one.offset(); };
+
+BOOST_AUTO_TEST_CASE(faces_of_cells_are_read_where_that_is_declared) {
+  using namespace undeclared_reads_test;
+  BOOST_TEST((reads_offset<DeclaredKernel<KernelWeightSet{KernelWeight::face_offset}, KernelColumns<2>>>));
+  BOOST_TEST(!(reads_offset<DeclaredKernel<KernelWeightSet{KernelWeight::gradient, KernelWeight::radial}, KernelColumns<2>>>));
+  BOOST_TEST((reads_offset<WallView<3, BoundaryValueSet{}, true>>));
+  BOOST_TEST(!(reads_offset<WallView<3, BoundaryValueSet{}>>));
+}
+
 BOOST_AUTO_TEST_CASE(a_pass_reads_what_it_declares_and_what_passes_before_it_wrote) {
   BOOST_TEST((reads_of_pass<CampbellFlux, 0>() ==
               FieldSet{Field::mass, Field::density, Field::temperature, Field::conductivity}));

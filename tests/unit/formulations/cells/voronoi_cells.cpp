@@ -62,6 +62,81 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(faces_close_are_the_same_from_both_sides_and_volum
   }
 }
 
+/// The divergence theorem: sum_f a_f x_f n_f^T = V I with x_f the centroids, of walls too; so sum_f a_f c_f n_f^T is symmetric.
+BOOST_AUTO_TEST_CASE_TEMPLATE(centroids_have_the_moments_of_the_divergence_theorem, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (CellScene<Dim> const& scene : cell_scenes<Dim>()) {
+    VoronoiCells<Dim> const cells = find_voronoi_cells(scene.positions, scene.domain, scene.walls, 1, true);
+    std::size_t const n = scene.positions.size();
+    std::vector<Matrix<Dim>> moment(n, Matrix<Dim>::Zero());
+    std::vector<double> size(n, 0.0);
+    std::map<std::pair<std::size_t, std::size_t>, Vector<Dim>> seen;
+    double across = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = cells.faces.first[i]; k < cells.faces.first[i + 1]; ++k) {
+        std::size_t const j = cells.faces.neighbour[k];
+        Vector<Dim> const r = scene.domain.nearest_image(scene.positions[j] - scene.positions[i]);
+        Vector<Dim> c;
+        for (int a = 0; a < Dim; ++a) c[a] = cells.offset[static_cast<std::size_t>(a)][k];
+        moment[i] += cells.area[k] * (0.5 * r + c) * r.normalized().transpose();
+        size[i] += cells.area[k] * (0.5 * r + c).norm();
+        across = std::max(across, cells.area[k] > 0.0 ? std::abs(c.dot(r.normalized())) : 0.0);
+        seen[{i, j}] = c;
+      }
+    }
+    for (std::size_t w = 0; w < scene.walls.size(); ++w) {
+      for (std::size_t f = 0; f < cells.walls[w].particle.size(); ++f) {
+        std::size_t const i = cells.walls[w].particle[f];
+        Vector<Dim> const n_B = scene.walls[w].outward_normal;
+        Vector<Dim> const x = scene.walls[w].distance(scene.positions[i]) * n_B + cells.walls[w].offset[f];
+        moment[i] += cells.walls[w].area[f] * x * n_B.transpose();
+        size[i] += cells.walls[w].area[f] * x.norm();
+      }
+    }
+    double worst = 0.0;
+    for (std::size_t i = 0; i < n; ++i)
+      worst = std::max(worst, (moment[i] - cells.volume[i] * Matrix<Dim>::Identity()).norm() / size[i]);
+    BOOST_TEST(worst < 1e-12, scene.name << ": " << worst);
+    BOOST_TEST(across < 1e-12, scene.name << ": " << across);
+    bool symmetric = true;
+    for (auto const& [pair, c] : seen) {
+      auto const back = seen.find({pair.second, pair.first});
+      symmetric = symmetric && (back == seen.end() || back->second == c);
+    }
+    BOOST_TEST(symmetric, scene.name);
+  }
+}
+
+/// Cells of a square that three particles share, by hand: the face between the first two is the lower part of the bisector.
+BOOST_AUTO_TEST_CASE(centroids_of_three_cells_in_a_square_are_those_of_a_drawing) {
+  Domain<2> square{.lower = Vector<2>::Zero(), .upper = Vector<2>::Constant(4.0)};
+  VectorField<2> places(3);
+  places.set(0, {1.0, 1.0});
+  places.set(1, {3.0, 1.0});
+  places.set(2, {2.0, 3.0});
+  VoronoiCells<2> const cells = find_voronoi_cells(places, square, walls_of(square), 1, true);
+  // All three are 1.25 from (2, 1.75): there their faces meet. That of 0 and 1 runs down to (2, 0), with its middle at 0.875.
+  for (std::size_t k = cells.faces.first[0]; k < cells.faces.first[1]; ++k) {
+    if (cells.faces.neighbour[k] != 1) continue;
+    BOOST_TEST(std::abs(cells.area[k] - 1.75) < 1e-15);
+    BOOST_TEST(std::abs(cells.offset[0][k]) < 1e-15);
+    BOOST_TEST(std::abs(cells.offset[1][k] - (0.875 - 1.0)) < 1e-15);
+  }
+  // The lower wall is halved: the first particle's part has its centroid at the particle's foot point.
+  for (std::size_t w = 0; w < 4; ++w) {
+    if (walls_of(square)[w].outward_normal[1] > -0.5) continue;
+    BOOST_TEST_REQUIRE(cells.walls[w].particle.size() == 2u);
+    for (std::size_t c = 0; c < 2; ++c) BOOST_TEST(cells.walls[w].offset[c].norm() < 1e-15);
+  }
+  // The left wall is parted where the bisector of 0 and 2, x + 2 y = 5.5, meets it, at 2.75: beyond the foot of the first.
+  for (std::size_t w = 0; w < 4; ++w) {
+    if (walls_of(square)[w].outward_normal[0] > -0.5) continue;
+    BOOST_TEST_REQUIRE(cells.walls[w].particle.front() == 0u);
+    BOOST_TEST(std::abs(cells.walls[w].area.front() - 2.75) < 1e-15);
+    BOOST_TEST(std::abs(cells.walls[w].offset.front()[1] - (1.375 - 1.0)) < 1e-15);
+  }
+}
+
 /// sum_f a_f x_f n_f^T = V I with x_f anywhere on the face's plane gives the trace: sum_f a_f (distance of the plane) = Dim V.
 /// Points drawn at random fall to their nearest particle: another way to the volumes.
 BOOST_AUTO_TEST_CASE_TEMPLATE(volumes_are_the_share_of_points_that_are_nearest, D, Dimensions) {
@@ -131,8 +206,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(any_number_of_threads_finds_the_same, D, Dimension
   Domain<Dim> const domain = box_of<Dim>(Sides::mixed, false);
   CellScene<Dim> const scene{"", domain, walls_of(domain), jittered(domain, Dim == 1 ? 3000 : Dim == 2 ? 60 : 15, 0.4, 1).positions};
   VoronoiCells<Dim> const one = scene.cells(1);
+  auto const offsets = find_voronoi_cells(scene.positions, scene.domain, scene.walls, 1, true).offset;
+  BOOST_TEST(one.offset[0].empty());
   for (int const threads : {2, 5}) {
     VoronoiCells<Dim> const more = scene.cells(threads);
+    BOOST_TEST((find_voronoi_cells(scene.positions, scene.domain, scene.walls, threads, true).offset == offsets));
     BOOST_TEST((more.faces.first == one.faces.first && more.faces.neighbour == one.faces.neighbour && more.area == one.area));
     BOOST_TEST(more.volume == one.volume);
     for (std::size_t w = 0; w < one.walls.size(); ++w)

@@ -12,7 +12,8 @@ from program import ProgramTest, environment, strict_json
 
 FORMULATIONS = {
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy", "work/internal-energy",
-    "work/sqrt-p", "conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux",
+    "work/sqrt-p", "momentum/gdsph", "work/gdsph", "momentum/pressure-energy", "work/pressure-energy", "momentum/rkgc",
+    "work/rkgc", "conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux",
 }  # fmt: skip
 FIVE_THIRDS = "1.6666666666666667"
 PISTON = {

@@ -25,6 +25,7 @@ CONDUCTION = ["conduction/brookshaw", "conduction/lucy-flux", "conduction/campbe
 MOMENTUM_AND_WORK = [
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient",
     "work/total-energy", "work/internal-energy", "work/sqrt-p",
+    "momentum/gdsph", "work/gdsph", "momentum/pressure-energy", "work/pressure-energy", "momentum/rkgc", "work/rkgc",
 ]  # fmt: skip
 REGIONS = ["all", "corner", "wall", "interior", "smooth"]
 

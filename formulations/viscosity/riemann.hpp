@@ -7,12 +7,14 @@ namespace sphverify {
 
 /// The viscous pressure of a Riemann problem between two particles that approach, in place of Monaghan's.
 ///
-///   Pi_ij = 2 q/rho_ij^2,   q = rho_ij w [ b w + sqrt(b^2 w^2 + c_ij^2) ],   w = -v_ij.r_ij/(2 r_ij),   b = (gamma + 1)/4
+///   Pi_ij = 2 q/rho_ij^2,   q = rho_ij w [ b w + sqrt(b^2 w^2 + c_ij^2) ],   w = -v_ij.r_ij/(2 r_ij),   b =
+///   (gamma + 1)/4
 ///
-/// where the two approach, else 0; rho_ij and c_ij are means. q is by how much the pressure between two equal states of an ideal
-/// gas that meet with speeds w and -w is above theirs (two shocks; Toro 2009, Section 4.3.1, solved for the pressure), and
-/// sum_j m_j Pi_ij grad W adds it to both pressures of a form such as P/rho^2, as Godunov SPH adds the star pressure (Inutsuka 2002;
-/// Parshikov & Medin 2002). It has no coefficient to choose: alpha is 1 and beta (gamma + 1)/4 where h is the distance of a pair.
+/// where the two approach, else 0; rho_ij and c_ij are means. q is by how much the pressure between two equal
+/// states of an ideal gas that meet with speeds w and -w is above theirs (two shocks; Toro 2009,
+/// Section 4.3.1, solved for the pressure), and sum_j m_j Pi_ij grad W adds it to both pressures of a form
+/// such as P/rho^2, as Godunov SPH adds the star pressure (Inutsuka 2002; Parshikov & Medin 2002). It has no
+/// coefficient to choose: alpha is 1 and beta (gamma + 1)/4 where h is the distance of a pair.
 struct RiemannViscosity {
   double gamma = 0.0;  ///< ratio of specific heats; 0: off
 
@@ -22,7 +24,8 @@ struct RiemannViscosity {
   struct Pair {
     Number mu, Pi;
   };
-  /// r_ij rho_ij: what v_ij.r_ij/rho_ij is divided by for the speed of approach. Particles in one place have none.
+  /// r_ij rho_ij: what v_ij.r_ij/rho_ij is divided by for the speed of approach. Particles in one place have
+  /// none.
   template <class Number>
   static Number divisor(Number squared_distance, Number h, Number rho) {
     using std::sqrt;

@@ -10,23 +10,54 @@ namespace sphverify {
 
 namespace {
 
-/// @param share of the wall's and the gas's halves that are left
+/// Of h: no nearer is a particle to the wall for mu. At twice that mu_ij is largest; nearer, its softening
+/// takes it to nothing, as it may between two particles, whose kernel has no slope there: a wall's face
+/// weight stays.
+constexpr double nearest = 0.05;
+
+/// By how much P_B of the wave that a wall sends into the gas is above the pressure of the gas at the foot
+/// point.
+template <int Dim>
+double wave_pressure(WallContacts<Dim> const& contacts, std::size_t k, Particles<Dim> const& particles) {
+  auto const& P = particles.scalar(Field::pressure);
+  double sum = 0.0, weight = 0.0;
+  for (std::size_t n = contacts.interpolation_first[k]; n < contacts.interpolation_first[k + 1]; ++n) {
+    std::uint32_t const j = contacts.interpolation_neighbour[n];
+    double const one =
+        particles.masses()[j] / particles.scalar(Field::density)[j] * contacts.interpolation_kernel[n];
+    sum += one * P[j];
+    weight += one;
+  }
+  return std::max(0.0, contacts.pressure[k] - std::max(0.0, sum / weight));
+}
+
+/// How much of the wall's own half of the viscous stress P_B has already.
+enum class WallStress { none, wave, whole };
+
 template <class Law, int Dim>
-void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts, double share,
-                      Particles<Dim> const& particles, Vector<Dim>& force, double& power,
-                      ViscousRates<Dim>& rates) {
+void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts,
+                      WallStress in_pressure, Particles<Dim> const& particles, Vector<Dim>& force,
+                      double& power, ViscousRates<Dim>& rates) {
   expects(contacts.velocity.size() == contacts.size());
+  expects(in_pressure != WallStress::wave || contacts.pressure.size() == contacts.size());
   SmoothingLength const h(particles);
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     std::uint32_t const i = contacts.particle[k];
-    double const d = contacts.distance[k];
     Vector<Dim> const v = particles.vector(Field::velocity)[i];
     double const closing = (v - contacts.velocity[k]).dot(contacts.outward_normal);
     if (closing <= 0.0) continue;
     double const rho = 0.5 * (particles.scalar(Field::density)[i] + contacts.foot_density[k]);
-    auto const [mu, Pi] = viscosity.pair(-closing * d, h(i), particles.scalar(Field::sound_speed)[i], rho,
-                                         Law::divisor(d * d, h(i), rho));
-    double const face = share * Pi * contacts.foot_density[k] * contacts.face_weight[k];
+    double const apart = 2.0 * std::max(contacts.distance[k],
+                                        nearest * h(i));  // from its image, which closes in twice as fast
+    auto const [mu, Pi] =
+        viscosity.pair(-2.0 * closing * apart, h(i), particles.scalar(Field::sound_speed)[i], rho,
+                       Law::divisor(apart * apart, h(i), rho));
+    double const wall_half = 0.5 * Pi * rho * rho;  // [Pa]
+    double const held = in_pressure == WallStress::none ? 0.0
+                        : in_pressure == WallStress::whole
+                            ? wall_half
+                            : std::min(wall_half, wave_pressure(contacts, k, particles));
+    double const face = (Pi - held / (rho * rho)) * contacts.foot_density[k] * contacts.face_weight[k];
     Vector<Dim> const acceleration = -face * contacts.outward_normal;
     double const heating = face * closing;
     rates.acceleration.add(i, acceleration);
@@ -82,7 +113,8 @@ void add_viscosity_behind(Viscosity const& viscosity, PairGeometry<Dim>& geometr
     rates.largest_mu[i] = std::max(rates.largest_mu[i], from_behind.largest_mu[c]);
     double const m = fluid.masses()[i];
     rates.wall_force[wall] += m * acceleration;
-    rates.wall_power[wall] += m * (from_behind.heating[c] + acceleration.dot(fluid.vector(Field::velocity)[i]));
+    rates.wall_power[wall] +=
+        m * (from_behind.heating[c] + acceleration.dot(fluid.vector(Field::velocity)[i]));
   }
 }
 
@@ -90,7 +122,8 @@ void add_viscosity_behind(Viscosity const& viscosity, PairGeometry<Dim>& geometr
 
 template <int Dim>
 void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particles,
-                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads, ViscousRates<Dim>& rates) {
+                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
+                       ViscousRates<Dim>& rates) {
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
   for (std::size_t w = 0; w < geometry.behind.size(); ++w)
@@ -98,20 +131,24 @@ void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particl
   if (!geometry.behind.empty()) return;
   for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
     if (!geometry.walls[w].velocity) continue;
-    bool const whole_stress = geometry.walls[w].pressure || closure == Closure::one_sided;
+    Wall<Dim> const& wall = geometry.walls[w];
+    bool const sends_a_wave =
+        closure == Closure::one_sided && wall.gamma > 1.0 && particles.has(Field::pressure);
+    WallStress const in_pressure = wall.pressure  ? WallStress::whole
+                                   : sends_a_wave ? WallStress::wave
+                                                  : WallStress::none;
     std::visit(
         [&](auto const& law) {
-          add_viscous_wall(law, geometry.contacts[w], whole_stress ? 0.5 : 1.0, particles, rates.wall_force[w],
-                           rates.wall_power[w], rates);
+          add_viscous_wall(law, geometry.contacts[w], in_pressure, particles, rates.wall_force[w], rates.wall_power[w], rates);
         },
         viscosity);
   }
 }
 
-#define SPHVERIFY_INSTANTIATE(Dim)                                                                           \
-  template void add_viscosity(Viscosity const&, Particles<Dim> const&, PairSweep<Dim>&,              \
-                              ViscousRates<Dim>&);                                                           \
-  template void add_viscous_walls(Viscosity const&, Particles<Dim> const&, PairGeometry<Dim>&,       \
+#define SPHVERIFY_INSTANTIATE(Dim)                                                                     \
+  template void add_viscosity(Viscosity const&, Particles<Dim> const&, PairSweep<Dim>&,        \
+                              ViscousRates<Dim>&);                                                     \
+  template void add_viscous_walls(Viscosity const&, Particles<Dim> const&, PairGeometry<Dim>&, \
                                   Closure, double, int, ViscousRates<Dim>&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

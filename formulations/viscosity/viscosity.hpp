@@ -32,15 +32,15 @@ struct ViscousRates {
 ///   a_i     = -sum_j m_j Pi_ij grad_i W_ij                       - Pi_iB rho_B S_i
 ///   de_i/dt = 1/2 sum_j m_j Pi_ij (v_i - v_j).grad_i W_ij        + Pi_iB rho_B (v_i - v_B).S_i
 ///
-/// Pairs conserve momentum and internal plus kinetic energy. The wall terms are ours: they treat a wall of
-/// prescribed velocity as the partner at the foot point, as the schemes do (m_j grad_i W_ij becomes rho_B
-/// S_i), so that cold gas does not run into it unopposed. All of their heat stays in the gas, so that a wall
-/// at rest gives it no energy. Where the wall moves as its closure says it has none: a closure that does not
-/// return constants would rub against gas that moves along with the wall.
+/// Pairs conserve momentum and internal plus kinetic energy. The wall terms are ours (docs/decisions/0020): of a
+/// wall of prescribed velocity Pi_iB is the pair term with the particle's own image, 2d away (at least 0.1 h) and
+/// closing in with 2 (v_i - v_B).n, and rho_B S_i the sum over all images. All of their heat stays in the gas,
+/// so that a wall at rest gives it no energy. Where the wall moves as its closure says it has none: a closure
+/// that does not return constants would rub against gas that moves along with the wall.
 ///
-/// Pi_iB stands for the gas's viscous pressure q_i/rho_i^2 and the wall's, one half each. Where the wall's
-/// P_B is the whole stress there, because it is prescribed or because Closure::one_sided has solved for it,
-/// only the gas's half is left. Reads density, velocity, sound speed, and the contacts' velocity.
+/// Pi_iB is the gas's viscous pressure q/rho^2 and the wall's, one half each. Of the wall's half goes what P_B has
+/// of it: all where P_B is prescribed too; the wave's, up to that half, where Closure::one_sided has solved for it.
+/// Reads density, velocity, sound speed, the contacts' velocity; for the wave pressure, the particles' and contacts'.
 ///
 /// First the pairs, as a term of a sweep, which writes to `rates`.
 /// @param viscosity must live until the sweep has run

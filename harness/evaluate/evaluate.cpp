@@ -156,10 +156,10 @@ double rounding_of_terms(Rate rate, State<Dim> const& state) {
 template <int Dim>
 Json viscous_rates(State<Dim>& state, PairGeometry<Dim>& geometry) {
   Particles<Dim>& particles = state.particles;
-  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-    fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, {BoundaryValue::velocity}, state.closure,
-                         state.time);
-  }
+  BoundaryValueSet wanted{BoundaryValue::velocity};
+  if (particles.has(Field::pressure)) wanted.insert(BoundaryValue::pressure);
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w)
+    fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, wanted, state.closure, state.time);
   ViscousRates<Dim> rates;
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, 1);
   add_viscosity(state.viscosity, particles, sweep, rates);

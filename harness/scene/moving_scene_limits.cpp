@@ -47,7 +47,8 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
     for (std::size_t k = 0; k < contacts.size(); ++k) {
       std::uint32_t const i = contacts.particle[k];
       double const closing = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal);
-      approach = std::max(approach, closing / contacts.distance[k]);
+      // What a wall that leaves takes along with it, its pressure and the density's wall term, fades over h.
+      approach = std::max(approach, closing > 0.0 ? closing / contacts.distance[k] : -closing / h(i));
       if (!conduction_operator_) continue;
       double const K = particles_.scalar(Field::conductivity)[i];
       conduction = std::min(conduction, contacts.distance[k] * particles_.scalar(Field::density)[i] /

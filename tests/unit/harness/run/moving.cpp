@@ -547,7 +547,8 @@ BOOST_AUTO_TEST_CASE(total_and_internal_energy_part_by_four_times_less_when_the_
        {std::pair<char const*, ViscosityChoice>{"hydro/manufactured", {}},
         {"hydro/piston-velocity", usual_viscosity}}) {
     double before = 0.0;
-    for (double const factor : {1.0, 0.5, 0.25}) {
+    // At the usual step the gas that a piston hits at once is not in the range of second order yet.
+    for (double const factor : {0.5, 0.25, 0.125}) {
       Gas gas{.scene_case = scene_case, .discretisation = moved_by("leapfrog", viscosity)};
       auto const internal = integrated(gas, "leapfrog", factor);
       gas.work = "work/total-energy";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -20,6 +21,21 @@ template <int Dim>
 std::string collision(FinalState<Dim> const& state) {
   std::string const who = state.gas->scene().closest_approach();
   return who.empty() ? "" : "; closest to colliding: " + who;
+}
+
+/// Masses apart by no more than this part run as well with continuity as with other densities.
+constexpr double harmless_mass_ratio = 4.0;
+
+/// What a run that broke with unequal masses and continuity density most likely broke by, and what to do instead; empty elsewhere.
+template <int Dim>
+std::string unequal_masses(MovingScene<Dim> const& scene, std::string const& density) {
+  if (density != "continuity") return "";
+  auto const [lightest, heaviest] = std::ranges::minmax(scene.particles().masses());
+  if (!(heaviest > harmless_mass_ratio * lightest)) return "";
+  return fmt::format(
+      "; masses differ by a factor of {:.3g}, and by the continuity equation a light particle loses density in proportion to the mass of a "
+      "heavy neighbour that it parts from, more than it has: take normalised or summed density with adaptive smoothing, or equal masses",
+      heaviest / lightest);
 }
 
 template <int Dim>
@@ -59,6 +75,7 @@ std::nullopt_t MovingIntegration<Dim>::give_up(FinalState<Dim> const& state, std
                                                std::string const& reason) {
   record_.status = status;
   record_.reason = reason;
+  if (status != "timed-out") record_.reason += unequal_masses(state.gas->scene(), record_.discretisation.density);
   record_.scene = state.gas->scene().record();
   record_.motion = motion_of(state);
   return std::nullopt;

@@ -153,6 +153,21 @@ std::string MovingScene<Dim>::rate_name(std::size_t unknown) const {
 }
 
 template <int Dim>
+std::size_t MovingScene<Dim>::bytes(bool drifts) const {
+  auto const of = [](VectorField<Dim> const& field) { return Dim * field.component(0).capacity(); };
+  std::size_t numbers = of(drift_) + of(acceleration_) + energy_rate_.capacity() + of(viscous_.acceleration) +
+                        viscous_.heating.capacity() + viscous_.largest_mu.capacity();
+  for (auto const& field : viscous_.wall_acceleration) numbers += of(field);
+  FieldSet reads{Field::mass};
+  for (RateOperator<Dim> const* const one : {momentum_operator_.get(), work_operator_.get(), continuity_operator_.get()}) {
+    if (one && one->passes() == 1) reads = reads | one->info().reads;
+  }
+  if (viscosity_.is_on()) reads = reads | FieldSet{Field::density, Field::velocity, Field::sound_speed};
+  numbers += particles_.size() * record_slots(reads, Dim, adaptive_, drifts && viscosity_.is_on()).stride();
+  return particles_.bytes() + geometry_.bytes() + sizeof(double) * numbers + sizeof(std::size_t) * order_.capacity();
+}
+
+template <int Dim>
 WorkCount MovingScene<Dim>::work() const {
   WorkCount work = work_;
   work.evaluations = evaluations_;  // of all schemes together

@@ -18,6 +18,7 @@ struct PairGeometry {
   std::vector<Wall<Dim>> walls;
   std::vector<WallContacts<Dim>> contacts;
   std::vector<WallParticles<Dim>> behind{};
+  BoundaryValueSet held{};  ///< what the contacts have already, for all schemes alike: these do not fill it again
 
   std::size_t bytes() const {
     std::size_t bytes = neighbours.bytes();

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <string_view>
+#include <typeinfo>
 #include <vector>
 
 #include "formulations/basics/undefined_rate.hpp"
@@ -37,6 +38,8 @@ class RateOperator {
   /// The parts of `evaluate`, for sweeps that several operators share: for every pass, `begin_pass` of all of
   /// them, the sweep, `end_pass` of all of them.
   int passes() const { return pass_count(info()); }
+  /// Two schemes of one type of first passes have the same code in them.
+  virtual std::type_info const& first_passes() const { return typeid(PassList<>); }
   /// Fills the boundary values and adds the pass's term.
   /// Throws UndefinedRate.
   virtual void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,

@@ -31,16 +31,17 @@ class SchemeOperator final : public RateOperator<Dim> {
   using Pass = std::tuple_element_t<n, AllPasses<Scheme>>;
 
   SchemeInfo const& info() const override { return Scheme::info; }
+  std::type_info const& first_passes() const override { return typeid(typename PassesOf<Scheme>::type); }
 
   void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
                   double time, int threads, PairSweep<Dim>& sweep) override {
     with_pass(pass, [&]<std::size_t n>() {
       if (n < last && is_frozen_) return;
-      fill_boundaries<n>(particles, geometry, closure, time);
+      fill_boundaries<n>(particles, geometry, closure, time, threads);
       if constexpr (has_own_weights) {
         // Frozen, nothing has moved: what is held is right, and not looked at again.
         PairGeometry<Dim>& weighted = is_frozen_ ? weights_.last() : weights_.on(particles, geometry, threads);
-        fill_boundaries<n>(particles, weighted, closure, time);
+        fill_boundaries<n>(particles, weighted, closure, time, threads);
         PairSweep<Dim> own(weighted.neighbours, weighted.domain, threads);
         add_pass<n>(particles, weighted, time, threads, own);
         if (!own.empty()) own.run(particles);
@@ -164,9 +165,11 @@ class SchemeOperator final : public RateOperator<Dim> {
   }
 
   template <std::size_t n>
-  static void fill_boundaries(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, Closure closure, double time) {
+  static void fill_boundaries(Particles<Dim> const& particles, PairGeometry<Dim>& geometry, Closure closure, double time,
+                              int threads) {
     for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, wall_values<n>(geometry.contacts[w]), closure, time);
+      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
+                           wall_values<n>(geometry.contacts[w]).without(geometry.held), closure, time, threads);
     }
   }
 

@@ -19,6 +19,7 @@ class FlagSet {
   constexpr bool contains(FlagSet other) const { return (bits & other.bits) == other.bits; }
   constexpr bool empty() const { return bits == 0; }
   constexpr FlagSet operator|(FlagSet other) const { return FlagSet(bits | other.bits); }
+  constexpr FlagSet without(FlagSet other) const { return FlagSet(bits & ~other.bits); }
   constexpr bool operator==(FlagSet const&) const = default;
 
   std::uint32_t bits = 0;  ///< public, since template arguments have no secrets

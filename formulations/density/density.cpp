@@ -1,5 +1,6 @@
 #include "formulations/density/density.hpp"
 
+#include "formulations/basics/parallel.hpp"
 #include "formulations/sweep/pair_sweep.hpp"
 #include "formulations/walls/finite_face.hpp"
 
@@ -7,17 +8,17 @@ namespace sphverify {
 
 template <int Dim>
 std::vector<double> summation_density(CellGrid<Dim> const& grid, SmoothingLength const& h,
-                                      std::vector<double> const& mass) {
+                                      std::vector<double> const& mass, int threads) {
   std::vector<double> density(mass.size());
   Kernel const& kernel = h.kernel();
-  for (std::size_t i = 0; i < mass.size(); ++i) {
+  for_each_row(mass.size(), threads, [&](std::size_t i) {
     double sum = 0.0;
     grid.for_each_within_reach(grid.positions()[i],
                                [&](std::uint32_t j, Vector<Dim> const&, double distance) {
                                  sum += mass[j] * kernel.value(distance, h(i));
                                });
     density[i] = sum;
-  }
+  });
   return density;
 }
 
@@ -29,7 +30,7 @@ void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Dom
   sweep.add(sweep_kernels<Dim>(particles.kernel().id()).density, {Field::mass}, {}, density);
   sweep.run(particles);
   double const own = particles.kernel().value(0.0, particles.smoothing_length());
-  for (std::size_t i = 0; i < density.size(); ++i) density[i] += particles.masses()[i] * own;
+  for_each_row(density.size(), threads, [&](std::size_t i) { density[i] += particles.masses()[i] * own; });
 }
 
 template <int Dim>
@@ -40,7 +41,7 @@ double kernel_inside(Vector<Dim> const& x, std::vector<Wall<Dim>> const& walls, 
 
 #define SPHVERIFY_INSTANTIATE(Dim)                                                             \
   template std::vector<double> summation_density(CellGrid<Dim> const&, SmoothingLength const&, \
-                                                 std::vector<double> const&);                  \
+                                                 std::vector<double> const&, int);             \
   template void sum_density(Particles<Dim>&, NeighbourList const&, Domain<Dim> const&, int);   \
   template double kernel_inside(Vector<Dim> const&, std::vector<Wall<Dim>> const&, double, Kernel const&);
 SPHVERIFY_INSTANTIATE(1)

@@ -21,7 +21,7 @@ enum class DensityRule {
 /// Where every particle may have its own smoothing length; gathers with that of the particle itself.
 template <int Dim>
 std::vector<double> summation_density(CellGrid<Dim> const& grid, SmoothingLength const& h,
-                                      std::vector<double> const& mass);
+                                      std::vector<double> const& mass, int threads = 1);
 
 /// The same into the field density, over a neighbour list; all have the common smoothing length.
 template <int Dim>

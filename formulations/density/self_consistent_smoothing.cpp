@@ -95,13 +95,13 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) 
     if (domain.periodic[k]) widest = std::min(widest, 0.5 * domain.extent()[k]);
   }
   std::vector<double> h = smoothing_length;
-  for (std::size_t i = 0; i < h.size(); ++i) {
-    if (!(std::isnormal(h[i]) && h[i] > 0.0 && std::isnormal(masses[i]) && masses[i] > 0.0)) {
-      throw std::invalid_argument("particle " + std::to_string(i) +
-                                  " has no positive, finite mass and smoothing length");
-    }
-    h[i] = std::min(h[i], widest / support);
+  auto const makes_no_sense = [&](std::size_t i) {
+    return !(std::isnormal(h[i]) && h[i] > 0.0 && std::isnormal(masses[i]) && masses[i] > 0.0);
+  };
+  if (auto const i = first_row(h.size(), threads, makes_no_sense)) {
+    throw std::invalid_argument("particle " + std::to_string(*i) + " has no positive, finite mass and smoothing length");
   }
+  for_each_row(h.size(), threads, [&](std::size_t i) { h[i] = std::min(h[i], widest / support); });
   std::vector<std::size_t> open(h.size());
   std::iota(open.begin(), open.end(), std::size_t{0});
   double widening = usual_widening;
@@ -114,7 +114,7 @@ void SelfConsistentSmoothing<Dim>::solve(std::vector<double>& smoothing_length) 
     double longest = 0.0;
     for (std::size_t const i : open) longest = std::max(longest, h[i]);
     double const reach = std::min(support * widening * longest, widest);
-    CellGrid<Dim> const grid(positions, domain, reach);
+    CellGrid<Dim> const grid(positions, domain, reach, threads);
     enum : char { not_yet, solved, fills_the_box };
     std::vector<char> end(open.size(), not_yet);
     for_each_row(open.size(), threads, [&](std::size_t row) {

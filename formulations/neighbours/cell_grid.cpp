@@ -5,12 +5,13 @@
 #include <stdexcept>
 #include <string>
 
+#include "formulations/basics/parallel.hpp"
 #include "formulations/basics/readable.hpp"
 
 namespace sphverify {
 
 template <int Dim>
-CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& domain, double reach)
+CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& domain, double reach, int threads)
     : positions_(&positions), domain_(domain), turned_(domain.is_turned()), reach_(reach) {
   std::size_t const n = positions.size();
   if (n >= std::numeric_limits<std::uint32_t>::max()) {
@@ -19,9 +20,8 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
   }
   for (int k = 0; k < Dim; ++k) {
     auto const& x = positions.component(k);
-    for (double const value : x) {
-      if (!std::isfinite(value)) throw std::invalid_argument("a particle's position is not finite");
-    }
+    if (first_row(n, threads, [&](std::size_t i) { return !std::isfinite(x[i]); }))
+      throw std::invalid_argument("a particle's position is not finite");
     double lowest = domain.lower[k];
     double highest = domain.upper[k];
     if (domain.periodic[k]) {
@@ -33,11 +33,23 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
       }
     } else if (n > 0) {
       auto const along = [&](std::size_t i) { return turned_ ? domain.to_box(positions[i])[k] : x[i]; };
-      lowest = highest = along(0);
-      for (std::size_t i = 1; i < n; ++i) {
-        lowest = std::min(lowest, along(i));
-        highest = std::max(highest, along(i));
-      }
+      struct Range {
+        double lowest, highest;
+      };
+      auto const join = [](Range& all, Range const& part) {
+        all.lowest = std::min(all.lowest, part.lowest);
+        all.highest = std::max(all.highest, part.highest);
+      };
+      Range const range = joined_blocks(
+          n, threads, Range{along(0), along(0)},
+          [&](std::size_t begin, std::size_t end) {
+            Range part{along(begin), along(begin)};
+            for (std::size_t i = begin; i < end; ++i) join(part, {along(i), along(i)});
+            return part;
+          },
+          join);
+      lowest = range.lowest;
+      highest = range.highest;
     }
     origin_[k] = lowest;
     double const extent = std::max(highest - lowest, reach);
@@ -61,17 +73,48 @@ CellGrid<Dim>::CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& do
     }
   }
 
-  // Counting sort by cell.
-  std::vector<std::uint32_t> cell(n);
   first_.assign(static_cast<std::size_t>(total()) + 1, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    cell[i] = static_cast<std::uint32_t>(index_of(cell_of(positions[i])));
-    ++first_[cell[i] + 1];
+  sort(threads);
+}
+
+/// Counting sort by cell. Particles of a cell follow each other by their numbers, however many parts they are counted in.
+template <int Dim>
+void CellGrid<Dim>::sort(int threads) {
+  std::size_t const n = positions_->size();
+  std::size_t const cells = first_.size() - 1;
+  std::size_t const parts = n < 2048 ? 1 : static_cast<std::size_t>(std::max(threads, 1));
+  std::vector<std::uint32_t> cell(n);
+  // Per part how many it has in each cell; then where it puts the first of them.
+  std::vector<std::vector<std::uint32_t>> next(parts);
+  auto const for_each_part = [&](auto const& visit) {
+    for_each_block(
+        parts, threads,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t part = begin; part < end; ++part) visit(part, part * n / parts, (part + 1) * n / parts);
+        },
+        1);
+  };
+  for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
+    next[part].assign(cells, 0);
+    for (std::size_t i = begin; i < end; ++i) {
+      cell[i] = static_cast<std::uint32_t>(index_of(cell_of((*positions_)[i])));
+      ++next[part][cell[i]];
+    }
+  });
+  std::uint32_t before = 0;
+  for (std::size_t c = 0; c < cells; ++c) {
+    first_[c] = before;
+    for (auto& counted : next) {
+      std::uint32_t const count = counted[c];
+      counted[c] = before;
+      before += count;
+    }
   }
-  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
+  first_[cells] = before;
   particles_.resize(n);
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < n; ++i) particles_[next[cell[i]]++] = static_cast<std::uint32_t>(i);
+  for_each_part([&](std::size_t part, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) particles_[next[part][cell[i]]++] = static_cast<std::uint32_t>(i);
+  });
 }
 
 template class CellGrid<1>;

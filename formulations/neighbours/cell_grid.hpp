@@ -26,7 +26,7 @@ class CellGrid {
   /// @param reach largest distance that will be asked for [m]
   /// Throws std::invalid_argument when a periodic axis is shorter than two reaches (a particle would meet two
   /// images of the same neighbour) or a coordinate is not finite.
-  CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& domain, double reach);
+  CellGrid(VectorField<Dim> const& positions, Domain<Dim> const& domain, double reach, int threads = 1);
 
   /// Calls visit(j, separation = x - x_j, distance) for every particle closer than the reach.
   template <class Visit>
@@ -55,6 +55,7 @@ class CellGrid {
 
   Cell cell_of(Vector<Dim> const& x) const;
   std::size_t index_of(Cell const& cell) const;
+  void sort(int threads);
   void add_runs(Cell const& home, int axis, Cell at, Vector<Dim> const& shift, std::vector<Run>& runs) const;
 
   VectorField<Dim> const* positions_;

@@ -298,14 +298,7 @@ class ListBuilder {
     for_each_part(parts, [&](Search<Dim>& search, std::size_t part) {
       found[part] = search.find(first_cell(part), first_cell(part + 1), length);
     });
-    list.first.assign(n + 1, 0);
-    for (std::size_t s = 0; s < n; ++s) {
-      if (s + particles_ahead < n) {
-        __builtin_prefetch(&list.first[grid_.particles()[s + particles_ahead] + 1], 1);
-      }
-      list.first[grid_.particles()[s] + 1] = length[s];
-    }
-    for (std::size_t i = 0; i < n; ++i) list.first[i + 1] += list.first[i];
+    set_rows(length, list.first);
     list.neighbour.clear();  // or what it holds would be copied to where there is more room
     list.neighbour.resize(list.first[n]);
     for_each_part(parts, [&](Search<Dim>& search, std::size_t part) {
@@ -316,6 +309,36 @@ class ListBuilder {
   }
 
  private:
+  /// Where rows begin, given their lengths in the order of the cells: the sums of each block, then from where on it counts.
+  void set_rows(std::vector<std::uint32_t> const& length, std::vector<std::size_t>& first) const {
+    std::size_t const n = length.size();
+    first.resize(n + 1);
+    first[0] = 0;
+    for_each_row(n, threads_, [&](std::size_t s) {
+      if (s + particles_ahead < n) __builtin_prefetch(&first[grid_.particles()[s + particles_ahead] + 1], 1);
+      first[grid_.particles()[s] + 1] = length[s];
+    });
+    constexpr std::size_t block_size = 4096;
+    std::size_t const blocks = (n + block_size - 1) / block_size;
+    std::vector<std::size_t> before(blocks + 1, 0);
+    auto const for_each_of = [&](auto const& visit) {
+      for_each_block(
+          blocks, threads_,
+          [&](std::size_t begin, std::size_t end) {
+            for (std::size_t b = begin; b < end; ++b) visit(b, b * block_size, std::min(n, (b + 1) * block_size));
+          },
+          1);
+    };
+    for_each_of([&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) before[b + 1] += first[i + 1];
+    });
+    for (std::size_t b = 0; b < blocks; ++b) before[b + 1] += before[b];
+    for_each_of([&](std::size_t b, std::size_t begin, std::size_t end) {
+      std::size_t sum = before[b];
+      for (std::size_t i = begin; i < end; ++i) first[i + 1] = sum += first[i + 1];
+    });
+  }
+
   static constexpr std::size_t cells_per_part = 64;
   static constexpr std::size_t parts_per_task = 8;
 
@@ -351,9 +374,7 @@ NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& 
                               NeighbourList old) {
   if (h.is_uniform()) return find_neighbours(grid, threads, std::move(old));
   std::vector<double> half_reach(grid.positions().size());
-  for (std::size_t i = 0; i < half_reach.size(); ++i) {
-    half_reach[i] = 0.5 * (1.0 + skin) * h.support(i);
-  }
+  for_each_row(half_reach.size(), threads, [&](std::size_t i) { half_reach[i] = 0.5 * (1.0 + skin) * h.support(i); });
   return ListBuilder<Dim>(grid, half_reach, threads).build(std::move(old));
 }
 

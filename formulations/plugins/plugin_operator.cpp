@@ -42,13 +42,14 @@ class PluginOperator final : public RateOperator<Dim> {
 
   SchemeInfo const& info() const override { return library_.info(); }
 
-  void begin_pass(int, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time, int,
+  void begin_pass(int, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
                   PairSweep<Dim>&) override {
     for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
       // A flux has no closure: it is known where the wall prescribes it.
       bool const has_flux = geometry.walls[w].prescribes(BoundaryValue::flux);
-      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles,
-                           has_flux ? info().boundary | info().boundary_if_prescribed : info().boundary, closure, time);
+      BoundaryValueSet const wanted = has_flux ? info().boundary | info().boundary_if_prescribed : info().boundary;
+      fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles, wanted.without(geometry.held), closure, time,
+                           threads);
     }
     std::vector<sphverify_wall> const walls = walls_of(geometry);
     sphverify_state const state = state_of(particles, geometry, walls, time);

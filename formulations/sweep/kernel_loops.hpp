@@ -15,15 +15,16 @@
 // else.
 namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 
-/// What a moving gas sweeps together: pressure and its usual work, with and without viscosity and continuity.
+/// What a moving gas sweeps together: pressure and its usual work, with and without viscosity and continuity; and what
+/// follows the places once more.
 template <int Dim, class Kernel, class Momentum, class Work>
-constexpr std::array<FusedSweep, 4> fused_gas() {
+constexpr std::array<FusedSweep, 6> fused_gas() {
   using A = RateTerm<Momentum, Dim>;
   using E = RateTerm<Work, Dim>;
   using D = RateTerm<ContinuityDensity, Dim>;
   using V = ViscosityTerm<Dim, Kernel, MonaghanViscosity>;
   return {fused<Dim, Kernel, A, E>(), fused<Dim, Kernel, A, E, D>(), fused<Dim, Kernel, A, E, V>(),
-          fused<Dim, Kernel, A, E, D, V>()};
+          fused<Dim, Kernel, A, E, D, V>(), fused<Dim, Kernel, E>(),    fused<Dim, Kernel, E, D>()};
 }
 
 /// Of a form of heat conduction, which is swept by itself. Forms of gas move together, and alone are asked for their rates once.

@@ -1,11 +1,13 @@
 #include "formulations/walls/walls.hpp"
 
 #include <algorithm>
+#include <exception>
 #include <numbers>
 #include <stdexcept>
 #include <string>
 
 #include "formulations/basics/expects.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "formulations/basics/readable.hpp"
 #include "formulations/basics/square.hpp"
 #include "formulations/walls/finite_face.hpp"
@@ -116,24 +118,25 @@ std::size_t walls_within_reach(std::vector<Wall<Dim>> const& walls, Vector<Dim> 
 
 }  // namespace
 
+namespace {
+
+/// Contacts of the particles begin to end, and their foot points.
 template <int Dim>
-WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
-                                     std::vector<Wall<Dim>> const& all_walls,
-                                     SmoothingLength const& smoothing_length, std::vector<double> const& mass,
-                                     std::vector<double> const& density, FaceWeight rule) {
+struct FoundContacts {
+  WallContacts<Dim> contacts;
+  std::vector<Vector<Dim>> feet;
+  std::exception_ptr complaint;
+};
+
+template <int Dim>
+void find_contacts_of(std::size_t begin, std::size_t end, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& all_walls,
+                      std::size_t index, SmoothingLength const& smoothing_length, std::vector<double> const& mass,
+                      std::vector<double> const& density, FaceWeight rule, FoundContacts<Dim>& found) {
   VectorField<Dim> const& positions = grid.positions();
   Kernel const& kernel = smoothing_length.kernel();
-  WallContacts<Dim> contacts;
-  auto const self = std::find_if(all_walls.begin(), all_walls.end(),
-                                 [&](Wall<Dim> const& other) { return &other == &wall; });
-  expects(self != all_walls.end());
-  auto const index = static_cast<std::size_t>(self - all_walls.begin());
-  std::vector<Vector<Dim>> feet;
-  contacts.interpolation_first.push_back(0);
-  contacts.outward_normal = wall.outward_normal;
-  contacts.prescribes_flux_only = wall.prescribes_flux_only();
-
-  for (std::size_t i = 0; i < positions.size(); ++i) {
+  Wall<Dim> const& wall = all_walls[index];
+  WallContacts<Dim>& contacts = found.contacts;
+  for (std::size_t i = begin; i < end; ++i) {
     double const d = wall.distance(positions[i]);
     if (d <= 0.0) {
       throw std::invalid_argument("particle " + std::to_string(i) +
@@ -151,7 +154,7 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
     if (at_foot <= 0.0) continue;  // alone, and at reach but for round-off
     contacts.interpolation_first.push_back(contacts.interpolation_neighbour.size());
     contacts.foot_density.push_back(at_foot);
-    feet.push_back(*foot);
+    found.feet.push_back(*foot);
     contacts.particle.push_back(static_cast<std::uint32_t>(i));
     contacts.distance.push_back(d);
     bool const balance =
@@ -161,7 +164,71 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
                 : face_weight(positions[i], all_walls, index, h,
                               rule == FaceWeight::balanced ? FaceWeight::exact : rule, kernel));
   }
+}
 
+template <class Value>
+void append(std::vector<Value>& to, std::vector<Value> const& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Adds those of later particles to those of earlier ones.
+template <int Dim>
+void append(WallContacts<Dim>& all, WallContacts<Dim> const& later) {
+  std::size_t const interpolated = all.interpolation_neighbour.size();
+  append(all.particle, later.particle);
+  append(all.distance, later.distance);
+  append(all.face_weight, later.face_weight);
+  append(all.foot_density, later.foot_density);
+  append(all.interpolation_neighbour, later.interpolation_neighbour);
+  append(all.interpolation_kernel, later.interpolation_kernel);
+  for (std::size_t const end : later.interpolation_first) all.interpolation_first.push_back(interpolated + end);
+}
+
+}  // namespace
+
+template <int Dim>
+WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
+                                     std::vector<Wall<Dim>> const& all_walls,
+                                     SmoothingLength const& smoothing_length, std::vector<double> const& mass,
+                                     std::vector<double> const& density, FaceWeight rule, int threads) {
+  auto const self = std::find_if(all_walls.begin(), all_walls.end(),
+                                 [&](Wall<Dim> const& other) { return &other == &wall; });
+  expects(self != all_walls.end());
+  auto const index = static_cast<std::size_t>(self - all_walls.begin());
+  std::size_t const n = grid.positions().size();
+  constexpr std::size_t at_a_time = 4096;
+  std::vector<FoundContacts<Dim>> parts(std::max<std::size_t>(1, (n + at_a_time - 1) / at_a_time));
+  for_each_block(
+      parts.size(), threads,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t part = begin; part < end; ++part) {
+          try {
+            find_contacts_of(part * at_a_time, std::min(n, (part + 1) * at_a_time), grid, all_walls, index, smoothing_length,
+                             mass, density, rule, parts[part]);
+          } catch (...) {
+            parts[part].complaint = std::current_exception();
+          }
+        }
+      },
+      1);
+  // Of several complaints the first particle's is thrown, at any number of threads.
+  for (FoundContacts<Dim> const& part : parts) {
+    if (part.complaint) std::rethrow_exception(part.complaint);
+  }
+  WallContacts<Dim> contacts;
+  contacts.interpolation_first.push_back(0);
+  std::size_t interpolated = 0;
+  for (FoundContacts<Dim> const& part : parts) interpolated += part.contacts.interpolation_neighbour.size();
+  contacts.interpolation_neighbour.reserve(interpolated);
+  contacts.interpolation_kernel.reserve(interpolated);
+  std::vector<Vector<Dim>> feet;
+  for (FoundContacts<Dim>& part : parts) {
+    append(contacts, part.contacts);
+    append(feet, part.feet);
+    part = {};
+  }
+  contacts.outward_normal = wall.outward_normal;
+  contacts.prescribes_flux_only = wall.prescribes_flux_only();
   contacts.foot = VectorField<Dim>(contacts.size());
   for (std::size_t c = 0; c < contacts.size(); ++c) contacts.foot.set(c, feet[c]);
   return contacts;
@@ -209,26 +276,26 @@ Vector<Dim> interpolated(WallContacts<Dim> const& contacts, std::size_t c, Parti
 
 /// F_B = -K_B (T_B - T_i)/d_i n where the wall prescribes temperature only.
 template <int Dim>
-void one_sided_flux(WallContacts<Dim>& contacts, Particles<Dim> const& particles) {
+void one_sided_flux(WallContacts<Dim>& contacts, Particles<Dim> const& particles, int threads) {
   auto const& T = particles.scalar(Field::temperature);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     double const slope = (contacts.temperature[c] - T[contacts.particle[c]]) / contacts.distance[c];
     contacts.flux.set(c, -contacts.conductivity[c] * slope * contacts.outward_normal);
-  }
+  });
 }
 
 /// T_B = T_i - (F_B . n) d_i / K_i where the wall prescribes flux only.
 template <int Dim>
 void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
-                           Particles<Dim> const& particles, double time) {
+                           Particles<Dim> const& particles, double time, int threads) {
   auto const& T = particles.scalar(Field::temperature);
   auto const& K = particles.scalar(Field::conductivity);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     std::uint32_t const i = contacts.particle[c];
     double const outward = wall.flux(contacts.foot[c], time).dot(contacts.outward_normal);
     // Where nothing conducts the wall is at the particle's own temperature.
     contacts.temperature[c] = K[i] > 0.0 ? T[i] - outward * contacts.distance[c] / K[i] : T[i];
-  }
+  });
 }
 
 /// T_B and F_B of a wall that loses heat: the temperature at which as much reaches it from within as it
@@ -236,12 +303,12 @@ void one_sided_temperature(WallContacts<Dim>& contacts, Wall<Dim> const& wall,
 /// that it sees it from, so that a temperature linear along the normal gives the wall's own.
 template <int Dim>
 void balance_heat(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
-                  Closure closure) {
+                  Closure closure, int threads) {
   expects(!wall.temperature && !wall.flux);
   auto const& T = particles.scalar(Field::temperature);
   auto const& K = particles.scalar(Field::conductivity);
   auto const& positions = particles.positions();
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     std::uint32_t const i = contacts.particle[c];
     double inside = T[i];
     double distance = contacts.distance[c];
@@ -258,7 +325,7 @@ void balance_heat(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<
         balanced_wall_temperature(*wall.heat_loss, inside, conductivity / distance);
     contacts.temperature[c] = wall_temperature;
     contacts.flux.set(c, wall.heat_loss->flux(wall_temperature) * contacts.outward_normal);
-  }
+  });
 }
 
 /// The gas at a contact's foot point, by the quotient. A gas that has lost its pressure sends no wave.
@@ -277,43 +344,44 @@ struct GasAtFoot {
 /// P_B of the wave that a wall of prescribed velocity sends into the gas.
 template <int Dim>
 void one_sided_pressure(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
-                        double time) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+                        double time, int threads) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     GasAtFoot<Dim> const gas(contacts, c, particles);
     double const closing = (gas.v - wall.velocity(contacts.foot[c], time)).dot(contacts.outward_normal);
     contacts.pressure[c] = pressure_at_wall(gas.rho, gas.P, closing, wall.gamma);
-  }
+  });
 }
 
 /// v_B of the wave that a wall of prescribed pressure sends into the gas; along the wall the gas slips.
 template <int Dim>
 void one_sided_velocity(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
-                        double time) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+                        double time, int threads) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     GasAtFoot<Dim> const gas(contacts, c, particles);
     double const closing =
         closing_speed_at_wall(gas.rho, gas.P, wall.pressure(contacts.foot[c], time), wall.gamma);
     contacts.velocity.set(c, gas.v - closing * contacts.outward_normal);
-  }
+  });
 }
 
 template <int Dim>
 void fill(WallContacts<Dim> const& contacts, ScalarAtWall<Dim> const& prescribed,
           Particles<Dim> const& particles, Closure closure, Field field, std::vector<double>& out,
-          double time) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+          double time, int threads) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     out[c] = prescribed ? prescribed(contacts.foot[c], time)
                         : interpolated(contacts, c, particles, closure, particles.scalar(field));
-  }
+  });
 }
 
 template <int Dim>
 void fill(WallContacts<Dim> const& contacts, VectorAtWall<Dim> const& prescribed,
-          Particles<Dim> const& particles, Closure closure, Field field, VectorField<Dim>& out, double time) {
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+          Particles<Dim> const& particles, Closure closure, Field field, VectorField<Dim>& out, double time,
+          int threads) {
+  for_each_row(contacts.size(), threads, [&](std::size_t c) {
     out.set(c, prescribed ? prescribed(contacts.foot[c], time)
                           : interpolated(contacts, c, particles, closure, particles.vector(field)));
-  }
+  });
 }
 
 template <int Dim>
@@ -335,7 +403,7 @@ void allocate(WallContacts<Dim>& contacts, BoundaryValueSet wanted) {
 
 template <int Dim>
 void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
-                          BoundaryValueSet wanted, Closure closure, double time) {
+                          BoundaryValueSet wanted, Closure closure, double time, int threads) {
   bool const one_sided = closure == Closure::one_sided;
   bool const has_gas = wall.gamma > 1.0;
   bool const fourier_flux =
@@ -345,36 +413,36 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
       wall.heat_loss && (wanted.contains(BoundaryValue::temperature) || wanted.contains(BoundaryValue::flux));
   if (balances) wanted = wanted | BoundaryValueSet{BoundaryValue::temperature, BoundaryValue::flux};
   allocate(contacts, wanted);
-  if (balances) balance_heat(contacts, wall, particles, closure);
+  if (balances) balance_heat(contacts, wall, particles, closure, threads);
   if (wanted.contains(BoundaryValue::pressure)) {
     if (one_sided && has_gas && !wall.pressure && wall.velocity) {
-      one_sided_pressure(contacts, wall, particles, time);
+      one_sided_pressure(contacts, wall, particles, time, threads);
     } else {
-      fill(contacts, wall.pressure, particles, closure, Field::pressure, contacts.pressure, time);
+      fill(contacts, wall.pressure, particles, closure, Field::pressure, contacts.pressure, time, threads);
     }
   }
   if (wanted.contains(BoundaryValue::velocity)) {
     if (one_sided && has_gas && !wall.velocity && wall.pressure) {
-      one_sided_velocity(contacts, wall, particles, time);
+      one_sided_velocity(contacts, wall, particles, time, threads);
     } else {
-      fill(contacts, wall.velocity, particles, closure, Field::velocity, contacts.velocity, time);
+      fill(contacts, wall.velocity, particles, closure, Field::velocity, contacts.velocity, time, threads);
     }
   }
   if (wanted.contains(BoundaryValue::temperature) && !balances) {
     if (one_sided && contacts.prescribes_flux_only) {
-      one_sided_temperature(contacts, wall, particles, time);
+      one_sided_temperature(contacts, wall, particles, time, threads);
     } else {
-      fill(contacts, wall.temperature, particles, closure, Field::temperature, contacts.temperature, time);
+      fill(contacts, wall.temperature, particles, closure, Field::temperature, contacts.temperature, time, threads);
     }
   }
   if (wanted.contains(BoundaryValue::conductivity)) {
-    fill(contacts, wall.conductivity, particles, closure, Field::conductivity, contacts.conductivity, time);
+    fill(contacts, wall.conductivity, particles, closure, Field::conductivity, contacts.conductivity, time, threads);
   }
   if (wanted.contains(BoundaryValue::flux) && !balances) {
     if (fourier_flux) {
-      one_sided_flux(contacts, particles);
+      one_sided_flux(contacts, particles, threads);
     } else {
-      fill(contacts, wall.flux, particles, closure, Field::flux, contacts.flux, time);
+      fill(contacts, wall.flux, particles, closure, Field::flux, contacts.flux, time, threads);
     }
   }
 }
@@ -390,9 +458,9 @@ void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Pa
                                          std::vector<double> const&, Kernel const&);                    \
   template WallContacts<Dim> find_wall_contacts(                                                        \
       CellGrid<Dim> const&, Wall<Dim> const&, std::vector<Wall<Dim>> const&, SmoothingLength const&,    \
-      std::vector<double> const&, std::vector<double> const&, FaceWeight);                              \
+      std::vector<double> const&, std::vector<double> const&, FaceWeight, int);                              \
   template void fill_boundary_values(WallContacts<Dim>&, Wall<Dim> const&, Particles<Dim> const&,       \
-                                     BoundaryValueSet, Closure, double);
+                                     BoundaryValueSet, Closure, double, int);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

@@ -122,7 +122,7 @@ template <int Dim>
 WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const& wall,
                                      std::vector<Wall<Dim>> const& all_walls, SmoothingLength const& h,
                                      std::vector<double> const& mass, std::vector<double> const& density,
-                                     FaceWeight rule);
+                                     FaceWeight rule, int threads = 1);
 
 /// Density at a wall's foot point: 2 sum_j m_j W(r_j - r_B)  (Eqs. 13, 73, 83). Where a second wall is within
 /// reach of the foot point, 1/Gamma(r_B) takes the place of 2, which it stands for.
@@ -148,6 +148,6 @@ double face_weight(double d, double smoothing_length, FaceWeight rule, Kernel co
 /// distance enter.
 template <int Dim>
 void fill_boundary_values(WallContacts<Dim>& contacts, Wall<Dim> const& wall, Particles<Dim> const& particles,
-                          BoundaryValueSet wanted, Closure closure, double time);
+                          BoundaryValueSet wanted, Closure closure, double time, int threads = 1);
 
 }  // namespace sphverify

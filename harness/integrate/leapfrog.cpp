@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "formulations/basics/finite.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "harness/integrate/ode.hpp"
 
 namespace sphverify {
@@ -22,27 +22,40 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
   std::size_t const n = system.size;
   std::size_t const coordinates = stepping.coordinates;
   std::size_t const others = 2 * coordinates;
-  // Rates at the beginning and at the end of a step, both with the velocities of its middle.
-  std::vector<double> first(n), second(n), predicted(n), middle(coordinates);
+  auto const for_each = [&](std::size_t count, auto const& row) {
+    for_each_row(count, stepping.threads, row);
+  };
+  // The velocities with which all moves, that is those of a step's middle; accelerations; rates of the others
+  // at its end.
+  std::vector<double> rates(n);
+  // Rates of the others at its beginning.
+  std::vector<double> first(n - others);
   std::vector<double> first_flow(system.quadratures), second_flow(system.quadratures);
   std::vector<double> impulse(stepping.impulses);
   OdeResult result;
   result.quadratures.assign(system.quadratures, 0.0);
+  result.bytes = sizeof(double) * (y.size() + rates.size() + first.size());
+  double* const middle = rates.data();
+  double const* const acceleration = rates.data() + coordinates;
+  double const* const second = rates.data() + others;
+  double* const place = y.data();
+  double* const velocity = y.data() + coordinates;
+  double* const other = y.data() + others;
 
-  auto const evaluate = [&](double t, std::vector<double> const& state, std::vector<double>& dydt,
-                            std::vector<double>& dqdt) {
-    stepping.rate(t, state.data(), middle.data(), dydt.data());
-    if (system.quadratures > 0) system.quadrature(t, state.data(), dqdt.data());
+  auto const flows = [&](double t, std::vector<double>& dqdt) {
+    if (system.quadratures > 0) system.quadrature(t, y.data(), dqdt.data());
   };
   auto const end = [&](OdeOutcome outcome, std::string reason) {
     result.outcome = outcome;
     result.reason = std::move(reason);
   };
 
-  std::copy_n(y.begin() + static_cast<std::ptrdiff_t>(coordinates), coordinates, middle.begin());
-  evaluate(0.0, y, second, second_flow);
+  for_each(coordinates, [&](std::size_t k) { middle[k] = velocity[k]; });
+  stepping.rate(0.0, y.data(), rates.data());
+  flows(0.0, second_flow);
   while (result.time < final_time) {
-    if (auto const component = first_not_finite(second)) {
+    if (auto const component =
+            first_row(n, stepping.threads, [&](std::size_t k) { return !std::isfinite(rates[k]); })) {
       end(OdeOutcome::not_finite, "the leapfrog met a rate that is not finite");
       result.not_finite = *component;
       break;
@@ -61,22 +74,20 @@ OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, dou
     std::copy_n(second_flow.begin(), stepping.impulses, impulse.begin());
 
     // Kick: to the velocities of the middle, by the acceleration at the end of the last step.
-    for (std::size_t k = 0; k < coordinates; ++k) {
-      double const acceleration = second[coordinates + k];
-      middle[k] = y[coordinates + k] + 0.5 * dt * acceleration;
-      predicted[coordinates + k] = y[coordinates + k] + dt * acceleration;
-    }
-    // Drift: places, and with them whatever else moves.
-    evaluate(result.time, y, first, first_flow);
-    for (std::size_t k = 0; k < coordinates; ++k) predicted[k] = y[k] + dt * middle[k];
-    for (std::size_t k = others; k < n; ++k) predicted[k] = y[k] + dt * first[k];
-    evaluate(time, predicted, second, second_flow);
-    for (std::size_t k = others; k < n; ++k) y[k] += 0.5 * dt * (first[k] + second[k]);
+    for_each(coordinates, [&](std::size_t k) { middle[k] = velocity[k] + 0.5 * dt * acceleration[k]; });
+    // Drift: places, and with them whatever else moves. Velocities and others are predicted.
+    stepping.drift(result.time, y.data(), middle, first.data());
+    flows(result.time, first_flow);
+    for_each(coordinates, [&](std::size_t k) {
+      place[k] += dt * middle[k];
+      velocity[k] = middle[k] + 0.5 * dt * acceleration[k];
+    });
+    for_each(n - others, [&](std::size_t k) { other[k] += dt * first[k]; });
+    stepping.rate(time, y.data(), rates.data());
+    flows(time, second_flow);
+    for_each(n - others, [&](std::size_t k) { other[k] += 0.5 * dt * (second[k] - first[k]); });
     // Kick.
-    for (std::size_t k = 0; k < coordinates; ++k) {
-      y[k] = predicted[k];
-      y[coordinates + k] = middle[k] + 0.5 * dt * second[coordinates + k];
-    }
+    for_each(coordinates, [&](std::size_t k) { velocity[k] = middle[k] + 0.5 * dt * acceleration[k]; });
     for (std::size_t k = 0; k < system.quadratures; ++k) {
       double const before = k < stepping.impulses ? impulse[k] : first_flow[k];
       result.quadratures[k] += 0.5 * dt * (before + second_flow[k]);

@@ -63,6 +63,7 @@ struct OdeResult {
   std::vector<double> y;
   std::vector<double> quadratures;
   std::uint64_t steps = 0;
+  std::size_t bytes = 0;  ///< of the vectors that the integrator kept (runge-kutta, leapfrog; of the others 0)
 };
 
 /// Implicit backward differentiation formulas of variable order and step (SUNDIALS CVODES) with a sparse
@@ -93,21 +94,28 @@ struct Stepping {
   std::size_t coordinates;  ///< y[0, coordinates) are places, which move with y[coordinates, 2 coordinates)
   std::size_t impulses;     ///< the first so many quadratures are fed by forces, the others by what moves
 
-  /// The system's rate at a state, with other velocities for whatever moves than those of the state itself.
-  std::function<void(double t, double const* y, double const* velocities, double* dydt)> rate;
+  /// The system's rate at a state: all but those of places, dydt[0, coordinates), which are given. With these velocities
+  /// all moves, forces aside.
+  std::function<void(double t, double const* y, double* dydt)> rate;
+
+  /// What follows the places once more, where the last `rate` was asked for, with other velocities: the rates of
+  /// y[2 coordinates, size) alone. What `rate` had predicted of these is known better by now, and given in y.
+  std::function<void(double t, double const* y, double const* velocities, double* rates)> drift;
 
   std::function<double(double t)> largest_step;  ///< asked right after a rate
   double smallest_step;                          ///< below it the step has collapsed
   std::uint64_t most_steps;
+  int threads = 1;
 };
 
 /// Leapfrog in its kick-drift-kick form, of second order. All that follows the places, such as densities and
 /// energies, drifts with the velocities of the middle of the step, by the mean of its rates at either end, so
 /// that sound is a leapfrog too, neither damped nor growing while a step resolves it; with predicted
-/// velocities instead short waves grow. Two evaluations a step, at the same places. Forces that depend on
+/// velocities instead short waves grow. One evaluation a step, and of what follows the places a second one at its
+/// beginning, where they are already. Forces that depend on
 /// velocity take that which the old acceleration predicts. Momentum closes to round-off against the impulses,
 /// and whatever is linear in the rest against the other quadratures. Asks for a quadrature only right after
-/// the rate at the same state.
+/// the rate, or the drift, at the same state. Keeps two copies of the unknowns.
 OdeResult integrate_leapfrog(OdeSystem const& system, std::vector<double> y, double final_time,
                              Stepping const& stepping);
 

@@ -93,13 +93,19 @@ class GasModes {
                            {.coordinates = n,
                             .impulses = 0,
                             .rate =
-                                [this](double, double const* state, double const* velocities, double* dydt) {
-                                  scene_.evaluate(0.0, state, velocities);
+                                [this](double, double const* state, double* dydt) {
+                                  scene_.evaluate(0.0, state, dydt);
                                   scene_.rates(dydt);
+                                },
+                            .drift =
+                                [this](double, double const* state, double const* velocities, double* rates) {
+                                  scene_.drift(state, velocities);
+                                  scene_.drift_rates(rates);
                                 },
                             .largest_step = [dt](double) { return dt; },
                             .smallest_step = 0.0,
-                            .most_steps = 2 * steps});
+                            .most_steps = 2 * steps,
+                            .threads = scene_.threads()});
     return result.outcome == OdeOutcome::finished;
   }
 

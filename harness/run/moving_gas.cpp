@@ -118,8 +118,7 @@ double MovingGas<Dim>::leapfrog_step() {
 }
 
 template <int Dim>
-OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolerances, Monitor monitor,
-                                    bool at_step_ends) {
+OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolerances, Monitor const& monitor) {
   double const final_time = scene_.problem().final_time;
   OdeSystem system;
   system.size = scene_.unknowns();
@@ -130,10 +129,7 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
   };
   // Both integrators ask for it right after the rate at the same state, at which the scene still is.
   system.quadrature = [this](double, double const*, double* dqdt) { quadrature(dqdt); };
-  system.monitor = [&](double t, double const* y, double const* q) {
-    if (at_step_ends) scene_.evaluate(t, y);
-    return monitor(t, budgets(q));
-  };
+  system.monitor = [&](double t, double const* y, double const* q) { return monitor(t, y, budgets(q)); };
   std::vector<double> initial = scene_.initial_state();
   OdeResult result;
   if (method == "leapfrog") {
@@ -142,13 +138,19 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
                            {.coordinates = scene_.coordinates(),
                             .impulses = impulses(),
                             .rate =
-                                [this](double t, double const* y, double const* velocities, double* dydt) {
-                                  scene_.evaluate(t, y, velocities);
+                                [this](double t, double const* y, double* dydt) {
+                                  scene_.evaluate(t, y, dydt);
                                   scene_.rates(dydt);
+                                },
+                            .drift =
+                                [this](double, double const* y, double const* velocities, double* rates) {
+                                  scene_.drift(y, velocities);
+                                  scene_.drift_rates(rates);
                                 },
                             .largest_step = [this](double) { return leapfrog_step(); },
                             .smallest_step = collapsed * final_time,
-                            .most_steps = most_steps});
+                            .most_steps = most_steps,
+                            .threads = scene_.threads()});
   } else {
     scene_.evaluate(0.0, initial.data());
     system.smallest_step = unresolved * tightest_limit().step;

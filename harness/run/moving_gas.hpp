@@ -27,13 +27,12 @@ class MovingGas {
   /// @param courant_factor part of the usual step limits that a leapfrog takes
   MovingGas(Problem<Dim> problem, SceneChoice const& choice, double courant_factor);
 
-  using Monitor = std::function<std::string(double time, GasBudgets<Dim> const& budgets)>;
+  using Monitor = std::function<std::string(double time, double const* state, GasBudgets<Dim> const& budgets)>;
 
   /// Integrates to the final time by the named method (leapfrog, runge-kutta), after which the scene is at
-  /// the final state. The monitor is called after every step; the scene it sees is at a state within the
-  /// step. Throws BrokenRun.
-  OdeResult integrate(std::string const& method, Tolerances tolerances, Monitor monitor,
-                      bool at_step_ends = false);
+  /// the final state. The monitor is called after every step with the state at its end; the scene it sees is
+  /// at a state within the step. Throws BrokenRun.
+  OdeResult integrate(std::string const& method, Tolerances tolerances, Monitor const& monitor);
 
   MovingScene<Dim>& scene() { return scene_; }
   MovingScene<Dim> const& scene() const { return scene_; }

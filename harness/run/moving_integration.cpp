@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "formulations/basics/parallel.hpp"
 #include "reports/extremes.hpp"
 
 namespace sphverify {
@@ -38,12 +39,19 @@ std::string unequal_masses(MovingScene<Dim> const& scene, std::string const& den
       heaviest / lightest);
 }
 
+/// What a run's monitor looks for.
+struct Seen {
+  double lowest_density = std::numeric_limits<double>::infinity();
+  double lowest_pressure = std::numeric_limits<double>::infinity();
+  std::optional<std::size_t> lost;  ///< the first particle whose velocity or energy is out of all bounds
+};
+
 template <int Dim>
-void keep_history(double t, MovingScene<Dim> const& scene, GasBudgets<Dim> const& budgets,
+void keep_history(double t, double const* y, MovingScene<Dim> const& scene, GasBudgets<Dim> const& budgets,
                   History& history) {
   history.time.push_back(t);
-  history.energy.push_back(scene.energy());
-  history.momentum.push_back(scene.momentum()[0]);
+  history.energy.push_back(scene.energy(y));
+  history.momentum.push_back(scene.momentum(y)[0]);
   bool const is_known = scene.heat_exchange_is_known();
   history.exchanged.push_back(is_known ? budgets.exchanged_energy() : std::numeric_limits<double>::quiet_NaN());
   history.wall_impulse_defect.resize(budgets.walls.size());
@@ -88,43 +96,64 @@ std::optional<FinalState<Dim>> MovingIntegration<Dim>::integrate(SceneChoice con
   state.gas = std::make_unique<MovingGas<Dim>>(problem_, choice, is_leapfrog() ? rung : 1.0);
   double const setup = clock.seconds();
   MovingScene<Dim>& scene = state.gas->scene();
-  std::vector<double> const scales = scene.scales();
-  double const speed = scales[scene.coordinates()];
-  double const energy = scales[2 * scene.coordinates()];
+  double speed = 0.0, energy = 0.0;
+  {
+    std::vector<double> const scales = scene.scales();
+    speed = scales[scene.coordinates()];
+    energy = scales[2 * scene.coordinates()];
+  }
   std::string status = "unstable";
-  auto const monitor = [&](double t, GasBudgets<Dim> const& budgets) -> std::string {
+  auto const monitor = [&](double t, double const* y, GasBudgets<Dim> const& budgets) -> std::string {
     if (options_.interrupted && *options_.interrupted) throw Interrupted();
     if (options_.time_budget > 0.0 && spent() > options_.time_budget) {
       status = "timed-out";
       return fmt::format("time budget of {:g} s spent at t = {:.6g}", options_.time_budget, t);
     }
     auto const& particles = scene.particles();
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      state.lowest_density = smaller(state.lowest_density, particles.scalar(Field::density)[i]);
-      state.lowest_pressure = smaller(state.lowest_pressure, particles.scalar(Field::pressure)[i]);
-      double const v = particles.vector(Field::velocity)[i].norm();
-      double const e = std::abs(particles.scalar(Field::internal_energy)[i]);
-      if (!std::isfinite(v)) {
+    auto const& rho = particles.scalar(Field::density);
+    auto const& P = particles.scalar(Field::pressure);
+    auto const& v = particles.vector(Field::velocity);
+    auto const& e = particles.scalar(Field::internal_energy);
+    Seen const seen = joined_blocks(
+        particles.size(), scene.threads(), Seen{},
+        [&](std::size_t begin, std::size_t end) {
+          Seen part;
+          for (std::size_t i = begin; i < end && !part.lost; ++i) {
+            part.lowest_density = smaller(part.lowest_density, rho[i]);
+            part.lowest_pressure = smaller(part.lowest_pressure, P[i]);
+            bool const is_usual = v[i].norm() <= unstable_speed * speed && !(std::abs(e[i]) > unstable_energy * energy);
+            if (!is_usual) part.lost = i;
+          }
+          return part;
+        },
+        [](Seen& all, Seen const& part) {
+          if (all.lost) return;
+          all.lowest_density = smaller(all.lowest_density, part.lowest_density);
+          all.lowest_pressure = smaller(all.lowest_pressure, part.lowest_pressure);
+          all.lost = part.lost;
+        });
+    state.lowest_density = smaller(state.lowest_density, seen.lowest_density);
+    state.lowest_pressure = smaller(state.lowest_pressure, seen.lowest_pressure);
+    if (seen.lost) {
+      std::size_t const i = *seen.lost;
+      double const fast = v[i].norm();
+      if (!std::isfinite(fast)) {
         status = "non-finite";
         return fmt::format("velocity of particle {} is not finite at t = {:.6g}", i, t);
       }
-      if (v > unstable_speed * speed) {
-        return fmt::format("particle {} moves at {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i,
-                           v, unstable_speed, speed, t);
+      if (fast > unstable_speed * speed) {
+        return fmt::format("particle {} moves at {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i, fast,
+                           unstable_speed, speed, t);
       }
-      if (e > unstable_energy * energy) {
-        return fmt::format(
-            "particle {} has internal energy {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i, e,
-            unstable_energy, energy, t);
-      }
+      return fmt::format("particle {} has internal energy {:.3g}, {:g} times the problem's {:.3g}, at t = {:.6g}", i,
+                         std::abs(e[i]), unstable_energy, energy, t);
     }
-    if (options_.measure.contains(Measure::history)) keep_history(t, scene, budgets, state.history);
+    if (options_.measure.contains(Measure::history)) keep_history(t, y, scene, budgets, state.history);
     return "";
   };
   OdeResult result;
   try {
-    bool const at_step_ends = options_.measure.contains(Measure::history);
-    result = state.gas->integrate(method(), {rung, rung}, monitor, at_step_ends);
+    result = state.gas->integrate(method(), {rung, rung}, monitor);
   } catch (BrokenRun const& broken) {
     return give_up(state, broken.status(), broken.what());
   }
@@ -144,7 +173,7 @@ std::optional<FinalState<Dim>> MovingIntegration<Dim>::integrate(SceneChoice con
   state.cost.steps = result.steps;
   state.cost.rate_evaluations = scene.work().evaluations;
   state.cost.pair_interactions = scene.work().pair_interactions;
-  state.cost.peak_bytes = scene.bytes();
+  state.cost.peak_bytes = scene.bytes(is_leapfrog()) + result.bytes;
   return state;
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <limits>
 #include <stdexcept>
 
@@ -17,29 +16,15 @@ namespace {
 /// What is solved for at the same place again, as smoothing lengths are, may differ by less.
 constexpr double least_skin = 1e-10;
 
-/// Contacts with each wall, the walls side by side. Of several complaints the first wall's is thrown, at any
-/// number of threads.
+/// Contacts with each wall.
 template <int Dim>
 std::vector<WallContacts<Dim>> find_contacts(CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls,
                                              Particles<Dim> const& particles, FaceWeight rule, int threads) {
   SmoothingLength const h(particles);
-  std::vector<WallContacts<Dim>> contacts(walls.size());
-  std::vector<std::exception_ptr> complaints(walls.size());
-  for_each_block(
-      walls.size(), threads,
-      [&](std::size_t begin, std::size_t end) {
-        for (std::size_t w = begin; w < end; ++w) {
-          try {
-            contacts[w] = find_wall_contacts(grid, walls[w], walls, h, particles.masses(),
-                                             particles.scalar(Field::density), rule);
-          } catch (...) {
-            complaints[w] = std::current_exception();
-          }
-        }
-      },
-      1);
-  for (std::exception_ptr const& complaint : complaints) {
-    if (complaint) std::rethrow_exception(complaint);
+  std::vector<WallContacts<Dim>> contacts;
+  for (Wall<Dim> const& wall : walls) {
+    contacts.push_back(
+        find_wall_contacts(grid, wall, walls, h, particles.masses(), particles.scalar(Field::density), rule, threads));
   }
   return contacts;
 }
@@ -53,7 +38,8 @@ MovingGeometry<Dim>::MovingGeometry(Domain<Dim> const& domain, Choice const& cho
 
 template <int Dim>
 std::size_t MovingGeometry<Dim>::bytes() const {
-  return geometry_.bytes() + sizeof(double) * (Dim * found_at_.size() + found_with_.capacity());
+  std::size_t const of_grid = grid_ ? sizeof(std::uint32_t) * (grid_->particles().capacity() + grid_->cells() + 1) : 0;
+  return geometry_.bytes() + of_grid + sizeof(double) * (Dim * found_at_.size() + found_with_.capacity());
 }
 
 template <int Dim>
@@ -66,7 +52,8 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
     ++passes_["voronoi-cells"];
   }
   if (choice_.density == DensityRule::voronoi) {
-    for (std::size_t i = 0; i < density.size(); ++i) density[i] = particles.masses()[i] / cells.volume[i];
+    for_each_row(density.size(), choice_.threads,
+                 [&](std::size_t i) { density[i] = particles.masses()[i] / cells.volume[i]; });
   }
   if (choice_.adaptive) {
     sums_density() ? solve_smoothing_length(particles, all_walls) : set_smoothing_length(particles);
@@ -77,7 +64,7 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
   } else {
     SmoothingLength const h(particles);
     grid_.reset();
-    grid_.emplace(particles.positions(), geometry_.domain, h.kernel().support_ratio() * h.largest());
+    grid_.emplace(particles.positions(), geometry_.domain, h.kernel().support_ratio() * h.largest(), choice_.threads);
   }
   if (sums_density()) set_density(particles, *grid_, all_walls);
   if (!walls.empty()) ++passes_["wall-contacts"];
@@ -131,20 +118,32 @@ template <int Dim>
 double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
   SmoothingLength const h(particles);
   double const support_ratio = h.kernel().support_ratio();
-  double used = 0.0;
-  double farthest = 0.0;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    Vector<Dim> const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]);
-    double const of_one = (h(i) + moved.norm() / (0.5 * support_ratio)) /
-                              (h.is_uniform() ? found_with_.front() : found_with_[i]) -
-                          1.0;
-    if (!std::isfinite(of_one)) return std::numeric_limits<double>::infinity();
-    used = std::max(used, of_one);
-    farthest = std::max(farthest, moved.norm());
-  }
+  /// The largest of all particles.
+  struct Moved {
+    double used = 0.0, far = 0.0;       // of the skin; in space
+    double found_with = 0.0, now = 0.0;  // smoothing lengths
+  };
+  auto const join = [](Moved& all, Moved const& part) {
+    all.used = std::max(all.used, part.used);
+    all.far = std::max(all.far, part.far);
+    all.found_with = std::max(all.found_with, part.found_with);
+    all.now = std::max(all.now, part.now);
+  };
+  Moved const most = joined_blocks(
+      particles.size(), choice_.threads, Moved{},
+      [&](std::size_t begin, std::size_t end) {
+        Moved part;
+        for (std::size_t i = begin; i < end; ++i) {
+          double const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]).norm();
+          double const with = h.is_uniform() ? found_with_.front() : found_with_[i];
+          double const of_one = (h(i) + moved / (0.5 * support_ratio)) / with - 1.0;
+          join(part, {std::isfinite(of_one) ? of_one : std::numeric_limits<double>::infinity(), moved, with, h(i)});
+        }
+        return part;
+      },
+      join);
   // The grid is asked for all within the largest support, whoever has moved.
-  double const found_with = *std::max_element(found_with_.begin(), found_with_.end());
-  return std::max(used, (h.largest() + farthest / support_ratio) / found_with - 1.0);
+  return std::max(most.used, (most.now + most.far / support_ratio) / most.found_with - 1.0);
 }
 
 template <int Dim>
@@ -162,7 +161,7 @@ void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin
   geometry_.neighbours.first.assign(particles.size() + 1, 0);  // should what follows not succeed
   geometry_.neighbours.neighbour.clear();
   grid_.reset();
-  CellGrid<Dim> const grid(particles.positions(), geometry_.domain, reach);
+  CellGrid<Dim> const grid(particles.positions(), geometry_.domain, reach, choice_.threads);
   geometry_.neighbours = find_neighbours(grid, h, skin_, choice_.threads, std::move(old));
   grid_.emplace(grid);
   found_with_.assign(h.is_uniform() ? 1 : particles.size(), particles.smoothing_length());
@@ -183,7 +182,7 @@ void MovingGeometry<Dim>::set_density(Particles<Dim>& particles, CellGrid<Dim> c
   if (h.is_uniform() && weighs_by_kernel()) {
     sum_density(particles, geometry_.neighbours, geometry_.domain, choice_.threads);
   } else {
-    density = summation_density(grid, h, particles.masses());
+    density = summation_density(grid, h, particles.masses(), choice_.threads);
   }
   ++passes_["density-summation"];
   if (choice_.density != DensityRule::normalised || walls.empty()) return;
@@ -198,9 +197,9 @@ template <int Dim>
 void MovingGeometry<Dim>::set_smoothing_length(Particles<Dim>& particles) {
   auto& h = particles.smoothing_lengths();
   auto const& density = particles.scalar(Field::density);
-  for (std::size_t i = 0; i < h.size(); ++i) {
+  for_each_row(h.size(), choice_.threads, [&](std::size_t i) {
     h[i] = choice_.smoothing_ratio * std::pow(particles.masses()[i] / density[i], 1.0 / Dim);
-  }
+  });
 }
 
 template <int Dim>

@@ -159,6 +159,21 @@ std::string MovingScene<Dim>::rate_name(std::size_t unknown) const {
 }
 
 template <int Dim>
+std::size_t MovingScene<Dim>::bytes(bool drifts) const {
+  auto const of = [](VectorField<Dim> const& field) { return Dim * field.component(0).capacity(); };
+  std::size_t numbers = of(drift_) + of(acceleration_) + energy_rate_.capacity() + of(viscous_.acceleration) +
+                        viscous_.heating.capacity() + viscous_.largest_mu.capacity();
+  for (auto const& field : viscous_.wall_acceleration) numbers += of(field);
+  FieldSet reads{Field::mass};
+  for (RateOperator<Dim> const* const one : {momentum_operator_.get(), work_operator_.get(), continuity_operator_.get()}) {
+    if (one) reads = reads | one->info().reads | one->info().first_passes.writes();
+  }
+  if (is_on(viscosity_)) reads = reads | FieldSet{Field::density, Field::velocity, Field::sound_speed};
+  numbers += particles_.size() * record_slots(reads, Dim, adaptive_, drifts && is_on(viscosity_)).stride();
+  return particles_.bytes() + geometry_.bytes() + sizeof(double) * numbers + sizeof(std::size_t) * order_.capacity();
+}
+
+template <int Dim>
 WorkCount MovingScene<Dim>::work() const {
   WorkCount work = work_;
   work.evaluations = evaluations_;  // of all schemes together

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cases/support/problem.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "formulations/rate_operator.hpp"
 #include "formulations/viscosity/viscosity.hpp"
 #include "harness/integrate/ode.hpp"
@@ -69,11 +70,18 @@ class MovingScene {
   /// state's own
   void evaluate(double time, double const* state, double const* drift = nullptr);
 
+  /// The rates of what follows the places once more, where `evaluate` was last, with other velocities of the drift: work,
+  /// continuity, the speeds of walls, and heat conduction with the energies of a state. Forces, the pressures that do work,
+  /// neighbours and contacts are as `evaluate` left them, and so is what viscosity and sources heat.
+  void drift(double const* state, double const* velocities);
+
   /// What an unknown's rate is a rate of, in words: "acceleration of particle 7".
   std::string rate_name(std::size_t unknown) const;
 
   /// Of the last evaluated state.
   void rates(double* out) const;
+  /// Those of them that follow the places: of energies, densities and walls.
+  void drift_rates(double* out) const;
   std::vector<StepLimit> step_limits() const;
   /// Who runs into whom fastest, in words; empty if nothing approaches.
   std::string closest_approach() const;
@@ -88,20 +96,26 @@ class MovingScene {
 
   Vector<Dim> momentum() const;
   double energy() const;  ///< internal and kinetic
+  /// The same of any state, which is not evaluated.
+  Vector<Dim> momentum(double const* state) const;
+  double energy(double const* state) const;
 
   Problem<Dim> const& problem() const { return problem_; }
   Particles<Dim> const& particles() const { return particles_; }
   std::vector<Wall<Dim>> const& walls() const { return walls_; }  ///< where they stand now
   PairGeometry<Dim> const& geometry() const { return geometry_.geometry(); }
   double spacing() const { return spacing_; }
+  int threads() const { return threads_; }
 
   /// Volume between the walls, less the sum of m/rho over it; empty where a side has neither wall nor image.
   std::optional<double> volume_defect() const;
 
-  /// Evaluations of the whole rate, whatever its parts.
+  /// Evaluations of the whole rate, whatever its parts; of `drift` only pairs and contacts.
   WorkCount work() const;
   SceneRecord record() const;
-  std::size_t bytes() const { return particles_.bytes() + geometry_.bytes(); }
+  /// Of all that it keeps, and of the records that the sweep of its forces packs.
+  /// @param drifts whether it is evaluated with velocities of the drift that are not the state's
+  std::size_t bytes(bool drifts) const;
 
  private:
   bool has_continuity() const { return density_rule_ == DensityRule::continuity; }
@@ -112,14 +126,30 @@ class MovingScene {
   bool evolves_total_energy() const { return work_operator_->info().rate == Rate::total_work; }
   void place_particles(SceneChoice const& choice);
   void load(double const* state);
+  void load_energy(double const* state, std::vector<double>& e) const;
   void place_walls(double time, double const* displacements);
   void require_order(double time) const;
   double conduction_step(std::size_t i) const;
   double cells_step() const;
+  double largest_approach() const;
   void find_geometry(double time);
   void set_gas(double time);
-  void evaluate_motion(double time, bool drifts);
-  void evaluate_rates(double time);
+  void set_conductivity();
+  void fill_walls(BoundaryValue value, double time);
+  template <class Body>
+  void may_break(double time, Body const& body) const;
+  bool run_first_passes(std::vector<RateOperator<Dim>*> const& together, double time);
+  void evaluate_together(std::vector<RateOperator<Dim>*> const& together, bool with_viscosity, bool drifts, double time);
+  void conduct(double time);
+  void evaluate_forces(double time, bool drifts);
+  void add_other_heating(double time);
+  void find_wall_speeds(double time);
+
+  Vector<Dim> velocity_in(double const* state, std::size_t i) const;
+
+  /// zero + sum of m_i term(i) over all particles.
+  template <class Value, class Term>
+  Value mass_sum(Value const& zero, Term const& term) const;
 
   /// Mean of value(contact) weighted by the face that each contact stands for.
   template <class Value>
@@ -158,18 +188,23 @@ class MovingScene {
 };
 
 template <int Dim>
+Vector<Dim> MovingScene<Dim>::velocity_in(double const* state, std::size_t i) const {
+  Vector<Dim> v;
+  for (int k = 0; k < Dim; ++k) v[k] = state[(Dim + k) * particles_.size() + i];
+  return v;
+}
+
+template <int Dim>
 template <class Value>
 double MovingScene<Dim>::face_mean(WallContacts<Dim> const& contacts, Value const& value) const {
-  double sum = 0.0;
-  double weight = 0.0;
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
+  Vector<2> const none = Vector<2>::Zero();
+  Vector<2> const sum = sum_of_rows(contacts.size(), threads_, none, [&](std::size_t c) -> Vector<2> {
     std::uint32_t const i = contacts.particle[c];
     double const face =
         particles_.masses()[i] / particles_.scalar(Field::density)[i] * contacts.face_weight[c];
-    sum += face * value(c);
-    weight += face;
-  }
-  return weight != 0.0 ? sum / weight : 0.0;
+    return {face * value(c), face};
+  });
+  return sum[1] != 0.0 ? sum[0] / sum[1] : 0.0;
 }
 
 extern template class MovingScene<1>;

@@ -18,11 +18,11 @@ std::vector<WallExchange<Dim>> MovingScene<Dim>::wall_exchange() const {
     exchange.force = momentum_operator_->wall_force()[w];
     exchange.power = work_operator_->wall_power()[w];
     if (!evolves_total_energy()) {
-      for (std::size_t k = 0; k < contacts.size(); ++k) {
+      auto const& acceleration = momentum_operator_->wall_acceleration()[w];
+      exchange.power += sum_of_rows(contacts.size(), threads_, 0.0, [&](std::size_t k) {
         std::uint32_t const i = contacts.particle[k];
-        exchange.power +=
-            particles_.masses()[i] * momentum_operator_->wall_acceleration()[w][k].dot(drift_[i]);
-      }
+        return particles_.masses()[i] * acceleration[k].dot(drift_[i]);
+      });
     }
     if (is_on(viscosity_)) {
       exchange.force += viscous_.wall_force[w];
@@ -56,67 +56,77 @@ bool MovingScene<Dim>::heat_exchange_is_known() const {
 }
 
 template <int Dim>
+template <class Value, class Term>
+Value MovingScene<Dim>::mass_sum(Value const& zero, Term const& term) const {
+  auto const& m = particles_.masses();
+  return sum_of_rows(particles_.size(), threads_, zero, [&](std::size_t i) -> Value { return m[i] * term(i); });
+}
+
+template <int Dim>
 Vector<Dim> MovingScene<Dim>::source_force() const {
-  Vector<Dim> sum = Vector<Dim>::Zero();
-  if (!problem_.body_force) return sum;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    sum += particles_.masses()[i] * problem_.body_force(particles_.positions()[i], time_);
-  }
-  return sum;
+  Vector<Dim> const zero = Vector<Dim>::Zero();
+  if (!problem_.body_force) return zero;
+  return mass_sum(zero, [&](std::size_t i) { return problem_.body_force(particles_.positions()[i], time_); });
 }
 
 template <int Dim>
 double MovingScene<Dim>::source_power() const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
+  if (!problem_.source && !problem_.body_force) return 0.0;
+  return mass_sum(0.0, [&](std::size_t i) {
     Vector<Dim> const x = particles_.positions()[i];
     double power = problem_.source ? problem_.source(x, time_) : 0.0;
     if (problem_.body_force)
       power += problem_.body_force(x, time_).dot(particles_.vector(Field::velocity)[i]);
-    sum += particles_.masses()[i] * power;
-  }
-  return sum;
+    return power;
+  });
 }
 
 template <int Dim>
 Vector<Dim> MovingScene<Dim>::force() const {
-  Vector<Dim> sum = Vector<Dim>::Zero();
-  for (std::size_t i = 0; i < particles_.size(); ++i) sum += particles_.masses()[i] * acceleration_[i];
-  return sum;
+  Vector<Dim> const zero = Vector<Dim>::Zero();
+  return mass_sum(zero, [&](std::size_t i) { return acceleration_[i]; });
 }
 
 template <int Dim>
 double MovingScene<Dim>::power() const {
-  double sum = 0.0;
   auto const& pressure = particles_.vector(Field::acceleration);
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
+  auto const& v = particles_.vector(Field::velocity);
+  return mass_sum(0.0, [&](std::size_t i) {
     double rate = energy_rate_[i];
     if (!evolves_total_energy()) {
       Vector<Dim> const rest = acceleration_[i] - pressure[i];
-      rate += pressure[i].dot(drift_[i]) + rest.dot(particles_.vector(Field::velocity)[i]);
+      rate += pressure[i].dot(drift_[i]) + rest.dot(v[i]);
     }
-    sum += particles_.masses()[i] * rate;
-  }
-  return sum;
+    return rate;
+  });
 }
 
 template <int Dim>
 Vector<Dim> MovingScene<Dim>::momentum() const {
-  Vector<Dim> sum = Vector<Dim>::Zero();
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    sum += particles_.masses()[i] * particles_.vector(Field::velocity)[i];
-  }
-  return sum;
+  Vector<Dim> const zero = Vector<Dim>::Zero();
+  auto const& v = particles_.vector(Field::velocity);
+  return mass_sum(zero, [&](std::size_t i) { return v[i]; });
 }
 
 template <int Dim>
 double MovingScene<Dim>::energy() const {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    sum += particles_.masses()[i] * (particles_.scalar(Field::internal_energy)[i] +
-                                     0.5 * particles_.vector(Field::velocity)[i].squaredNorm());
-  }
-  return sum;
+  auto const& e = particles_.scalar(Field::internal_energy);
+  auto const& v = particles_.vector(Field::velocity);
+  return mass_sum(0.0, [&](std::size_t i) { return e[i] + 0.5 * v[i].squaredNorm(); });
+}
+
+template <int Dim>
+Vector<Dim> MovingScene<Dim>::momentum(double const* state) const {
+  Vector<Dim> const zero = Vector<Dim>::Zero();
+  return mass_sum(zero, [&](std::size_t i) { return velocity_in(state, i); });
+}
+
+template <int Dim>
+double MovingScene<Dim>::energy(double const* state) const {
+  double const* const evolved = state + 2 * coordinates();
+  return mass_sum(0.0, [&](std::size_t i) {
+    return evolves_total_energy() ? evolved[i] : evolved[i] + 0.5 * velocity_in(state, i).squaredNorm();
+  });
 }
 
 template <int Dim>
@@ -139,10 +149,8 @@ std::optional<double> MovingScene<Dim>::volume_defect() const {
     }
     volume *= length;
   }
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    volume -= particles_.masses()[i] / particles_.scalar(Field::density)[i];
-  }
-  return volume;
+  auto const& rho = particles_.scalar(Field::density);
+  return volume - mass_sum(0.0, [&](std::size_t i) { return 1.0 / rho[i]; });
 }
 
 #define SPHVERIFY_INSTANTIATE(D)                                                \
@@ -154,6 +162,8 @@ std::optional<double> MovingScene<Dim>::volume_defect() const {
   template double MovingScene<D>::power() const;                                \
   template Vector<D> MovingScene<D>::momentum() const;                          \
   template double MovingScene<D>::energy() const;                               \
+  template Vector<D> MovingScene<D>::momentum(double const* state) const;       \
+  template double MovingScene<D>::energy(double const* state) const;            \
   template std::optional<double> MovingScene<D>::volume_defect() const;
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)

@@ -23,44 +23,90 @@ constexpr double courant_number = 0.3;
 
 template <int Dim>
 std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
+  struct Limits {
+    double courant, force, viscosity, conduction, approach;
+  };
   constexpr double infinity = std::numeric_limits<double>::infinity();
+  constexpr Limits none{infinity, infinity, infinity, infinity, 0.0};
+  auto const join = [](Limits& all, Limits const& part) {
+    all.courant = std::min(all.courant, part.courant);
+    all.force = std::min(all.force, part.force);
+    all.viscosity = std::min(all.viscosity, part.viscosity);
+    all.conduction = std::min(all.conduction, part.conduction);
+    all.approach = std::max(all.approach, part.approach);
+  };
   SmoothingLength const h(particles_);
   auto const& c = particles_.scalar(Field::sound_speed);
   auto const& v = particles_.vector(Field::velocity);
+  Limits limit = joined_blocks(
+      particles_.size(), threads_, none,
+      [&](std::size_t begin, std::size_t end) {
+        Limits part = none;
+        for (std::size_t i = begin; i < end; ++i) {
+          part.courant = std::min(part.courant, h(i) / c[i]);
+          part.force = std::min(part.force, std::sqrt(h(i) / acceleration_[i].norm()));
+          if (is_on(viscosity_)) {
+            double const mu = viscous_.largest_mu[i];
+            double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + law.quadratic() * mu; }, viscosity_);
+            part.viscosity = std::min(part.viscosity, h(i) / (c[i] + 0.6 * drag));
+          }
+          if (conduction_operator_) part.conduction = std::min(part.conduction, conduction_step(i));
+        }
+        return part;
+      },
+      join);
+  limit.approach = largest_approach();
+  for (auto const& contacts : geometry().contacts) {
+    join(limit, joined_blocks(
+                    contacts.size(), threads_, none,
+                    [&](std::size_t begin, std::size_t end) {
+                      Limits part = none;
+                      for (std::size_t k = begin; k < end; ++k) {
+                        std::uint32_t const i = contacts.particle[k];
+                        double const closing = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal);
+                        // What a wall that leaves takes along with it, its pressure and the density's wall term, fades over h.
+                        part.approach = std::max(part.approach, closing > 0.0 ? closing / contacts.distance[k] : -closing / h(i));
+                        if (!conduction_operator_) continue;
+                        double const K = particles_.scalar(Field::conductivity)[i];
+                        part.conduction =
+                            std::min(part.conduction, contacts.distance[k] * particles_.scalar(Field::density)[i] /
+                                                          (4.0 * K * contacts.face_weight[k]));
+                      }
+                      return part;
+                    },
+                    join));
+  }
+  std::vector<StepLimit> limits{{"courant", limit.courant}, {"force", limit.force}, {"approach", 1.0 / limit.approach}};
+  if (is_on(viscosity_)) limits.push_back({"viscosity", limit.viscosity});
+  if (conduction_operator_) limits.push_back({"conduction", limit.conduction});
+  if (reads_face_offsets(momentum_operator_->info())) limits.push_back({"cells", cells_step()});
+  for (StepLimit& one : limits) one.step *= courant_number;
+  return limits;
+}
+
+/// The largest rate_of_approach() of two particles. Viscosity's pairs have found it where these are measured alike: beyond one
+/// dimension Monaghan's mu is h times that rate. What stands behind walls is none of them.  [1/s]
+template <int Dim>
+double MovingScene<Dim>::largest_approach() const {
+  SmoothingLength const h(particles_);
+  auto const largest = [&](std::vector<double> const& values) {
+    return joined_blocks(
+        values.size(), threads_, 0.0,
+        [&](std::size_t begin, std::size_t end) {
+          double most = 0.0;
+          for (std::size_t i = begin; i < end; ++i) most = std::max(most, values[i]);
+          return most;
+        },
+        [](double& all, double part) { all = std::max(all, part); });
+  };
+  bool const is_monaghan = std::holds_alternative<MonaghanViscosity>(viscosity_) && is_on(viscosity_);
+  if (Dim > 1 && is_monaghan && h.is_uniform() && geometry().behind.empty())
+    return largest(viscous_.largest_mu) / h(0);
   std::vector<double> rates_of_approach(particles_.size());
   PairSweep<Dim> sweep(geometry().neighbours, geometry().domain, threads_);
   sweep.add(sweep_kernels<Dim>(particles_.kernel().id()).approach, {Field::velocity}, {}, rates_of_approach);
   sweep.run(particles_);
-  double courant = infinity, force = infinity, viscosity = infinity, conduction = infinity, approach = 0.0;
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    courant = std::min(courant, h(i) / c[i]);
-    force = std::min(force, std::sqrt(h(i) / acceleration_[i].norm()));
-    if (is_on(viscosity_)) {
-      double const mu = viscous_.largest_mu[i];
-      double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + law.quadratic() * mu; }, viscosity_);
-      viscosity = std::min(viscosity, h(i) / (c[i] + 0.6 * drag));
-    }
-    if (conduction_operator_) conduction = std::min(conduction, conduction_step(i));
-    approach = std::max(approach, rates_of_approach[i]);
-  }
-  for (auto const& contacts : geometry().contacts) {
-    for (std::size_t k = 0; k < contacts.size(); ++k) {
-      std::uint32_t const i = contacts.particle[k];
-      double const closing = (v[i] - contacts.velocity[k]).dot(contacts.outward_normal);
-      // What a wall that leaves takes along with it, its pressure and the density's wall term, fades over h.
-      approach = std::max(approach, closing > 0.0 ? closing / contacts.distance[k] : -closing / h(i));
-      if (!conduction_operator_) continue;
-      double const K = particles_.scalar(Field::conductivity)[i];
-      conduction = std::min(conduction, contacts.distance[k] * particles_.scalar(Field::density)[i] /
-                                            (4.0 * K * contacts.face_weight[k]));
-    }
-  }
-  std::vector<StepLimit> limits{{"courant", courant}, {"force", force}, {"approach", 1.0 / approach}};
-  if (is_on(viscosity_)) limits.push_back({"viscosity", viscosity});
-  if (conduction_operator_) limits.push_back({"conduction", conduction});
-  if (reads_face_offsets(momentum_operator_->info())) limits.push_back({"cells", cells_step()});
-  for (StepLimit& limit : limits) limit.step *= courant_number;
-  return limits;
+  return largest(rates_of_approach);
 }
 
 /// Three over a bound of the largest frequency about rest of a gas whose energy is that of its cells' volumes. Its square is
@@ -149,31 +195,27 @@ std::string MovingScene<Dim>::closest_approach() const {
 template <int Dim>
 void MovingScene<Dim>::require_order(double time) const {
   auto const& x = particles_.positions();
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (!x[i].allFinite()) {
-      throw BrokenRun("non-finite",
-                      fmt::format("position of particle {} is not finite at t = {:.6g}", i, time));
-    }
-  }
+  if (auto const lost = first_row(x.size(), threads_, [&](std::size_t i) { return !x[i].allFinite(); }))
+    throw BrokenRun("non-finite", fmt::format("position of particle {} is not finite at t = {:.6g}", *lost, time));
   if constexpr (Dim == 1) {
     bool const periodic = problem_.domain.periodic[0];
     double const period = problem_.domain.extent()[0];
-    for (std::size_t k = 0; k + 1 < order_.size() + (periodic && order_.size() > 1 ? 1 : 0); ++k) {
-      std::size_t const i = order_[k];
-      std::size_t const j = order_[(k + 1) % order_.size()];
-      double gap = x[j][0] - x[i][0];
+    std::size_t const n = order_.size();
+    auto const next = [&](std::size_t k) { return order_[(k + 1) % n]; };
+    auto const crossed = first_row(n > 1 ? n - (periodic ? 0 : 1) : 0, threads_, [&](std::size_t k) {
+      double gap = x[next(k)][0] - x[order_[k]][0];
       // Neighbours along a periodic axis are less than half of it apart.
       if (periodic) gap -= period * std::round(gap / period);
-      if (gap > 0.0) continue;
-      throw BrokenRun("unstable", fmt::format("particles {} and {} crossed at t = {:.6g}", i, j, time));
+      return !(gap > 0.0);
+    });
+    if (crossed) {
+      throw BrokenRun("unstable", fmt::format("particles {} and {} crossed at t = {:.6g}", order_[*crossed], next(*crossed), time));
     }
   }
   if (!with_walls_) return;
   for (std::size_t w = 0; w < walls_.size(); ++w) {
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      if (walls_[w].distance(x[i]) > 0.0) continue;
-      throw BrokenRun("unstable", fmt::format("particle {} overtook wall {} at t = {:.6g}", i, w, time));
-    }
+    if (auto const i = first_row(x.size(), threads_, [&](std::size_t k) { return !(walls_[w].distance(x[k]) > 0.0); }))
+      throw BrokenRun("unstable", fmt::format("particle {} overtook wall {} at t = {:.6g}", *i, w, time));
   }
 }
 
@@ -181,6 +223,7 @@ void MovingScene<Dim>::require_order(double time) const {
   template std::vector<StepLimit> MovingScene<D>::step_limits() const;  \
   template double MovingScene<D>::conduction_step(std::size_t) const;   \
   template double MovingScene<D>::cells_step() const;                   \
+  template double MovingScene<D>::largest_approach() const;             \
   template std::string MovingScene<D>::closest_approach() const;        \
   template void MovingScene<D>::require_order(double time) const;
 SPHVERIFY_INSTANTIATE(1)

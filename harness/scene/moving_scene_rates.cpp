@@ -16,10 +16,14 @@ namespace sphverify {
 
 namespace {
 
+void copy(double const* from, std::size_t count, int threads, double* to) {
+  for_each_block(count, threads, [&](std::size_t begin, std::size_t end) { std::copy(from + begin, from + end, to + begin); });
+}
+
 template <int Dim>
-void copy_into(VectorField<Dim>& field, double const* state) {
+void copy_into(VectorField<Dim>& field, double const* state, int threads) {
   for (int k = 0; k < Dim; ++k) {
-    std::copy(state, state + field.size(), field.component(k).begin());
+    copy(state, field.size(), threads, field.component(k).data());
     state += field.size();
   }
 }
@@ -31,13 +35,43 @@ void MovingScene<Dim>::evaluate(double time, double const* state, double const* 
   time_ = time;
   ++evaluations_;
   load(state);
-  copy_into(drift_, drift ? drift : state + coordinates());
+  copy_into(drift_, drift ? drift : state + coordinates(), threads_);
   place_walls(time, state + unknowns() - free_walls_.size());
   require_order(time);
   find_geometry(time);
   set_gas(time);
-  evaluate_motion(time, drift != nullptr);
-  evaluate_rates(time);
+  evaluate_forces(time, drift != nullptr);
+  add_other_heating(time);
+  find_wall_speeds(time);
+}
+
+template <int Dim>
+void MovingScene<Dim>::drift(double const* state, double const* velocities) {
+  copy_into(drift_, velocities, threads_);
+  std::swap(particles_.vector(Field::velocity), drift_);
+  fill_walls(BoundaryValue::velocity, time_);
+  std::vector<RateOperator<Dim>*> together{work_operator_.get()};
+  if (continuity_operator_) together.push_back(continuity_operator_.get());
+  may_break(time_, [&] {
+    evaluate_together(together, false, false, time_);
+    if (conduction_operator_) {
+      // Conduction relaxes: with the temperatures that were predicted it would be stable in half as long steps.
+      load_energy(state, particles_.scalar(Field::temperature));
+      set_conductivity();
+      conduct(time_);
+    }
+  });
+  std::swap(particles_.vector(Field::velocity), drift_);
+  add_other_heating(time_);
+  find_wall_speeds(time_);
+}
+
+/// The internal energies of a state.
+template <int Dim>
+void MovingScene<Dim>::load_energy(double const* state, std::vector<double>& e) const {
+  double const* const evolved = state + 2 * coordinates();
+  if (!evolves_total_energy()) return copy(evolved, e.size(), threads_, e.data());
+  for_each_row(e.size(), threads_, [&](std::size_t i) { e[i] = evolved[i] - 0.5 * velocity_in(state, i).squaredNorm(); });
 }
 
 template <int Dim>
@@ -45,28 +79,23 @@ void MovingScene<Dim>::load(double const* state) {
   expects(!problem_.domain.is_turned());  // places are wrapped along the axes of space
   std::size_t const n = particles_.size();
   auto& x = particles_.positions();
-  copy_into(x, state);
+  copy_into(x, state, threads_);
   for (int k = 0; k < Dim; ++k) {
     if (!problem_.domain.periodic[k]) continue;
     double const lower = problem_.domain.lower[k];
     double const period = problem_.domain.upper[k] - lower;
-    for (double& place : x.component(k)) place -= period * std::floor((place - lower) / period);
+    auto& along = x.component(k);
+    for_each_row(n, threads_,
+                 [&](std::size_t i) { along[i] -= period * std::floor((along[i] - lower) / period); });
   }
-  auto& v = particles_.vector(Field::velocity);
-  copy_into(v, state + Dim * n);
-  auto& e = particles_.scalar(Field::internal_energy);
-  std::copy(state + 2 * Dim * n, state + 2 * Dim * n + n, e.begin());
-  if (evolves_total_energy()) {
-    for (std::size_t i = 0; i < n; ++i) e[i] -= 0.5 * v[i].squaredNorm();
-  }
-  if (has_continuity()) {
-    double const* const density = state + 2 * Dim * n + n;
-    std::copy(density, density + n, particles_.scalar(Field::density).begin());
-    for (std::size_t i = 0; i < n; ++i) {
-      if (density[i] > 0.0) continue;
-      throw BrokenRun(std::isnan(density[i]) ? "non-finite" : "positivity-lost",
-                      fmt::format("density of particle {} is {:.3g} at t = {:.6g}", i, density[i], time_));
-    }
+  copy_into(particles_.vector(Field::velocity), state + Dim * n, threads_);
+  load_energy(state, particles_.scalar(Field::internal_energy));
+  if (!has_continuity()) return;
+  double const* const density = state + 2 * Dim * n + n;
+  copy(density, n, threads_, particles_.scalar(Field::density).data());
+  if (auto const lost = first_row(n, threads_, [&](std::size_t i) { return !(density[i] > 0.0); })) {
+    throw BrokenRun(std::isnan(density[*lost]) ? "non-finite" : "positivity-lost",
+                    fmt::format("density of particle {} is {:.3g} at t = {:.6g}", *lost, density[*lost], time_));
   }
 }
 
@@ -110,102 +139,164 @@ void MovingScene<Dim>::set_gas(double time) {
   auto const& e = particles_.scalar(Field::internal_energy);
   auto& P = particles_.scalar(Field::pressure);
   auto& c = particles_.scalar(Field::sound_speed);
-  for (std::size_t i = 0; i < particles_.size(); ++i) {
-    if (!std::isfinite(e[i])) {
-      throw BrokenRun("non-finite",
-                      fmt::format("internal energy of particle {} is not finite at t = {:.6g}", i, time));
-    }
+  std::size_t const n = particles_.size();
+  if (auto const lost = first_row(n, threads_, [&](std::size_t i) { return !std::isfinite(e[i]); })) {
+    throw BrokenRun("non-finite",
+                    fmt::format("internal energy of particle {} is not finite at t = {:.6g}", *lost, time));
+  }
+  for_each_row(n, threads_, [&](std::size_t i) {
     P[i] = (problem_.gamma - 1.0) * rho[i] * e[i];
     c[i] = std::sqrt(problem_.gamma * std::max(P[i], 0.0) / rho[i]);
-  }
+  });
   ++passes_["equation-of-state"];
-  if (particles_.has(Field::temperature)) particles_.scalar(Field::temperature) = e;
+  if (particles_.has(Field::temperature)) copy(e.data(), n, threads_, particles_.scalar(Field::temperature).data());
+  set_conductivity();
+}
+
+/// Of the temperatures that are there.
+template <int Dim>
+void MovingScene<Dim>::set_conductivity() {
   if (!particles_.has(Field::conductivity)) return;
+  auto const& T = particles_.scalar(Field::temperature);
   auto& K = particles_.scalar(Field::conductivity);
   for_each_row(K.size(), threads_,
-               [&](std::size_t i) { K[i] = problem_.conductivity(particles_.positions()[i], e[i]); });
+               [&](std::size_t i) { K[i] = problem_.conductivity(particles_.positions()[i], T[i]); });
   ++passes_["conductivity"];
 }
 
-/// Pressure, its work, conduction and the continuity equation, with the velocities of the drift; viscosity's
-/// pairs, with those of the state. All in one sweep, but for conduction.
 template <int Dim>
-void MovingScene<Dim>::evaluate_motion(double time, bool drifts) {
+void MovingScene<Dim>::fill_walls(BoundaryValue value, double time) {
   PairGeometry<Dim>& geometry = geometry_.geometry();
-  std::vector<RateOperator<Dim>*> together{momentum_operator_.get(), work_operator_.get()};
-  if (continuity_operator_) together.push_back(continuity_operator_.get());
-  auto const undefined = [&](UndefinedRate const& error) {
-    return BrokenRun("positivity-lost", fmt::format("{} at t = {:.6g}", error.what(), time));
-  };
-  std::swap(particles_.vector(Field::velocity), drift_);
-  // What walls exchange and how they move is asked of them whatever the forms read there.
-  for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
-    fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles_,
-                         {BoundaryValue::pressure, BoundaryValue::velocity}, closure_, time);
-  }
+  for (std::size_t w = 0; w < geometry.contacts.size(); ++w)
+    fill_boundary_values(geometry.contacts[w], geometry.walls[w], particles_, {value}, closure_, time, threads_);
+  geometry.held.insert(value);
+}
+
+/// What makes a rate undefined is what the run has come to.
+template <int Dim>
+template <class Body>
+void MovingScene<Dim>::may_break(double time, Body const& body) const {
   try {
-    PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads_);
-    // What has passes of its own before the rate keeps them to itself: two forms may write the same field there.
-    for (RateOperator<Dim>* const one : together) {
-      if (one->passes() == 1) one->begin_pass(0, particles_, geometry, closure_, time, threads_, sweep);
-    }
-    if (is_on(viscosity_)) add_viscosity(viscosity_, particles_, sweep, viscous_);
-    if (!sweep.empty()) sweep.run(particles_, drifts && is_on(viscosity_) ? &drift_ : nullptr);
-    for (RateOperator<Dim>* const one : together) {
-      if (one->passes() == 1) {
-        one->end_pass(0, particles_, geometry, work_);
-      } else {
-        one->evaluate(particles_, geometry, closure_, time, threads_, work_);
-        for (PassInfo const& pass : one->info().first_passes) ++passes_[pass.name];
-      }
-      ++passes_[one->info().id];
-    }
-    acceleration_ = particles_.vector(Field::acceleration);
-    energy_rate_ = particles_.scalar(Field::heating);
-    if (conduction_operator_) {
-      conduction_operator_->evaluate(particles_, geometry, closure_, time, threads_, work_);
-      for (PassInfo const& pass : conduction_operator_->info().first_passes) ++passes_[pass.name];
-      if (conduction_operator_->info().least_squares) ++passes_["quadratic-weights"];
-      ++passes_[conduction_operator_->info().id];
-      auto const& heating = particles_.scalar(Field::heating);
-      for (std::size_t i = 0; i < particles_.size(); ++i) energy_rate_[i] += heating[i];
-      conduction_wall_power_ = conduction_operator_->wall_power();
-    }
+    body();
   } catch (TooFewPartners const& error) {
-    // At the start it is the study that makes no sense; later it is what the run has come to.
+    // At the start it is the study that makes no sense.
     if (time == 0.0) throw;
     throw BrokenRun("unstable", fmt::format("at t = {:.6g} {}", time, error.what()));
   } catch (UndefinedRate const& error) {
-    throw undefined(error);
+    throw BrokenRun("positivity-lost", fmt::format("{} at t = {:.6g}", error.what(), time));
   }
-  std::swap(particles_.vector(Field::velocity), drift_);
 }
 
-/// What viscosity and the case's sources add, with the velocities of the state.
+/// The passes before those of the rates. A momentum form and its partner have the same, which are run once.
+/// @return whether what they wrote serves all; else two forms write the same field, and each has to be evaluated by itself
 template <int Dim>
-void MovingScene<Dim>::evaluate_rates(double time) {
-  std::size_t const n = particles_.size();
-  auto const& v = particles_.vector(Field::velocity);
+bool MovingScene<Dim>::run_first_passes(std::vector<RateOperator<Dim>*> const& together, double time) {
+  RateOperator<Dim>* leader = nullptr;
+  for (RateOperator<Dim>* const one : together) {
+    if (one->passes() == 1) continue;
+    if (leader && one->first_passes() != leader->first_passes()) return false;
+    if (!leader) leader = one;
+  }
+  if (!leader) return true;
+  PairGeometry<Dim>& geometry = geometry_.geometry();
+  for (int pass = 0; pass + 1 < leader->passes(); ++pass) {
+    PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads_);
+    leader->begin_pass(pass, particles_, geometry, closure_, time, threads_, sweep);
+    if (!sweep.empty()) sweep.run(particles_);
+    leader->end_pass(pass, particles_, geometry, work_);
+    ++passes_[leader->info().first_passes.begin()[pass].name];
+  }
+  return true;
+}
+
+/// All rates in one sweep, with viscosity's pairs, after the passes before them.
+template <int Dim>
+void MovingScene<Dim>::evaluate_together(std::vector<RateOperator<Dim>*> const& together, bool with_viscosity, bool drifts,
+                                         double time) {
+  PairGeometry<Dim>& geometry = geometry_.geometry();
+  bool const all = run_first_passes(together, time);
+  PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads_);
+  for (RateOperator<Dim>* const one : together) {
+    if (all || one->passes() == 1) one->begin_pass(one->passes() - 1, particles_, geometry, closure_, time, threads_, sweep);
+  }
+  if (with_viscosity) add_viscosity(viscosity_, particles_, sweep, viscous_);
+  if (!sweep.empty()) sweep.run(particles_, drifts && with_viscosity ? &drift_ : nullptr);
+  for (RateOperator<Dim>* const one : together) {
+    if (all || one->passes() == 1) {
+      one->end_pass(one->passes() - 1, particles_, geometry, work_);
+    } else {
+      one->evaluate(particles_, geometry, closure_, time, threads_, work_);
+      for (PassInfo const& pass : one->info().first_passes) ++passes_[pass.name];
+    }
+    ++passes_[one->info().id];
+  }
+  copy(particles_.scalar(Field::heating).data(), particles_.size(), threads_, energy_rate_.data());
+}
+
+template <int Dim>
+void MovingScene<Dim>::conduct(double time) {
+  SchemeInfo const& form = conduction_operator_->info();
+  conduction_operator_->evaluate(particles_, geometry_.geometry(), closure_, time, threads_, work_);
+  for (PassInfo const& pass : form.first_passes) ++passes_[pass.name];
+  if (form.least_squares) ++passes_["quadratic-weights"];
+  ++passes_[form.id];
+  auto const& heating = particles_.scalar(Field::heating);
+  for_each_row(particles_.size(), threads_, [&](std::size_t i) { energy_rate_[i] += heating[i]; });
+  conduction_wall_power_ = conduction_operator_->wall_power();
+}
+
+/// Pressure, its work, conduction and the continuity equation, with the velocities of the drift; viscosity and the pressure at
+/// walls that depends on velocity, with those of the state. Pairs all in one sweep, but for conduction.
+template <int Dim>
+void MovingScene<Dim>::evaluate_forces(double time, bool drifts) {
+  std::vector<RateOperator<Dim>*> together{momentum_operator_.get(), work_operator_.get()};
+  if (continuity_operator_) together.push_back(continuity_operator_.get());
+  // What walls exchange and how they move is asked of them whatever the forms read there.
+  geometry_.geometry().held = {};
+  fill_walls(BoundaryValue::pressure, time);
+  std::swap(particles_.vector(Field::velocity), drift_);
+  fill_walls(BoundaryValue::velocity, time);
+  may_break(time, [&] {
+    evaluate_together(together, is_on(viscosity_), drifts, time);
+    if (conduction_operator_) conduct(time);
+  });
+  std::swap(particles_.vector(Field::velocity), drift_);
+  auto const& pressure = particles_.vector(Field::acceleration);
+  for (int k = 0; k < Dim; ++k)
+    copy(pressure.component(k).data(), particles_.size(), threads_, acceleration_.component(k).data());
   if (is_on(viscosity_)) {
     add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, time, threads_, viscous_);
     ++passes_["viscosity"];
     work_.pair_interactions += geometry().neighbours.pairs();
-    for (std::size_t i = 0; i < n; ++i) {
-      acceleration_.add(i, viscous_.acceleration[i]);
-      energy_rate_[i] += viscous_.heating[i];
-      if (evolves_total_energy()) energy_rate_[i] += viscous_.acceleration[i].dot(v[i]);
-    }
+    for_each_row(particles_.size(), threads_, [&](std::size_t i) { acceleration_.add(i, viscous_.acceleration[i]); });
   }
-  for (std::size_t i = 0; i < n; ++i) {
+  if (!problem_.body_force) return;
+  for_each_row(particles_.size(), threads_,
+               [&](std::size_t i) { acceleration_.add(i, problem_.body_force(particles_.positions()[i], time)); });
+}
+
+/// What viscosity and the case's sources give, with the velocities of the state: the same for any drift.
+template <int Dim>
+void MovingScene<Dim>::add_other_heating(double time) {
+  auto const& v = particles_.vector(Field::velocity);
+  bool const is_total = evolves_total_energy();
+  if (is_on(viscosity_)) {
+    for_each_row(particles_.size(), threads_, [&](std::size_t i) {
+      energy_rate_[i] += viscous_.heating[i];
+      if (is_total) energy_rate_[i] += viscous_.acceleration[i].dot(v[i]);
+    });
+  }
+  if (!problem_.source && !problem_.body_force) return;
+  for_each_row(particles_.size(), threads_, [&](std::size_t i) {
     Vector<Dim> const x = particles_.positions()[i];
     if (problem_.source) energy_rate_[i] += problem_.source(x, time);
-    if (!problem_.body_force) continue;
-    Vector<Dim> const g = problem_.body_force(x, time);
-    acceleration_.add(i, g);
-    if (evolves_total_energy()) energy_rate_[i] += g.dot(v[i]);
-  }
-  if (problem_.source || problem_.body_force) ++passes_["source"];
+    if (problem_.body_force && is_total) energy_rate_[i] += problem_.body_force(x, time).dot(v[i]);
+  });
+  ++passes_["source"];
+}
 
+template <int Dim>
+void MovingScene<Dim>::find_wall_speeds(double time) {
   for (std::size_t f = 0; f < free_walls_.size(); ++f) {
     WallContacts<Dim> const& contacts = geometry().contacts[free_walls_[f]];
     if (contacts.size() == 0) {
@@ -221,26 +312,43 @@ void MovingScene<Dim>::evaluate_rates(double time) {
 
 template <int Dim>
 void MovingScene<Dim>::rates(double* out) const {
-  auto const& v = particles_.vector(Field::velocity);
-  auto const put = [&](std::vector<double> const& values) {
-    out = std::copy(values.begin(), values.end(), out);
-  };
-  for (int k = 0; k < Dim; ++k) put(v.component(k));
-  for (int k = 0; k < Dim; ++k) put(acceleration_.component(k));
-  put(energy_rate_);
-  if (has_continuity()) put(particles_.scalar(Field::density_rate));
-  put(wall_speed_);
+  for (VectorField<Dim> const* field : {&drift_, &acceleration_}) {
+    for (int k = 0; k < Dim; ++k, out += particles_.size())
+      copy(field->component(k).data(), particles_.size(), threads_, out);
+  }
+  drift_rates(out);
 }
 
-#define SPHVERIFY_INSTANTIATE(D)                                                                  \
-  template void MovingScene<D>::evaluate(double time, double const* state, double const* drift);  \
-  template void MovingScene<D>::load(double const* state);                                        \
-  template void MovingScene<D>::place_walls(double time, double const* displacements);            \
-  template void MovingScene<D>::find_geometry(double time);                                       \
-  template void MovingScene<D>::set_gas(double time);                                             \
-  template void MovingScene<D>::evaluate_motion(double time, bool drifts);                        \
-  template void MovingScene<D>::evaluate_rates(double time);                                      \
-  template void MovingScene<D>::rates(double* out) const;
+template <int Dim>
+void MovingScene<Dim>::drift_rates(double* out) const {
+  std::size_t const n = particles_.size();
+  copy(energy_rate_.data(), n, threads_, out);
+  out += n;
+  if (has_continuity()) {
+    copy(particles_.scalar(Field::density_rate).data(), n, threads_, out);
+    out += n;
+  }
+  std::copy(wall_speed_.begin(), wall_speed_.end(), out);
+}
+
+#define SPHVERIFY_INSTANTIATE(D)                                                                                   \
+  template void MovingScene<D>::evaluate(double time, double const* state, double const* drift);                   \
+  template void MovingScene<D>::drift(double const* state, double const* velocities);                              \
+  template void MovingScene<D>::load(double const* state);                                                         \
+  template void MovingScene<D>::load_energy(double const* state, std::vector<double>& e) const;                    \
+  template void MovingScene<D>::place_walls(double time, double const* displacements);                             \
+  template void MovingScene<D>::find_geometry(double time);                                                        \
+  template void MovingScene<D>::set_gas(double time);                                                              \
+  template void MovingScene<D>::set_conductivity();                                                                \
+  template void MovingScene<D>::fill_walls(BoundaryValue value, double time);                                      \
+  template bool MovingScene<D>::run_first_passes(std::vector<RateOperator<D>*> const&, double time);               \
+  template void MovingScene<D>::evaluate_together(std::vector<RateOperator<D>*> const&, bool, bool, double time);  \
+  template void MovingScene<D>::conduct(double time);                                                              \
+  template void MovingScene<D>::evaluate_forces(double time, bool drifts);                                         \
+  template void MovingScene<D>::add_other_heating(double time);                                                    \
+  template void MovingScene<D>::find_wall_speeds(double time);                                                     \
+  template void MovingScene<D>::rates(double* out) const;                                                          \
+  template void MovingScene<D>::drift_rates(double* out) const;
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

@@ -1,5 +1,6 @@
 #include "formulations/neighbours/cell_grid.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <limits>
 #include <map>
@@ -271,6 +272,28 @@ BOOST_AUTO_TEST_CASE(no_particles_are_no_problem) {
   grid.for_each_within_reach(Vector<2>(0.5, 0.5),
                              [&](std::uint32_t, Vector<2> const&, double) { ++visited; });
   BOOST_TEST(visited == 0);
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_the_cells, D, Dimensions) {
+  constexpr int dim = D::value;
+  Random random(5);
+  VectorField<dim> const positions = scatter<dim>(random, 10'001);
+  CellGrid<dim> const one(positions, unit_box<dim>(), 0.07);
+  for (int const threads : {2, 3, 7}) {
+    CellGrid<dim> const several(positions, unit_box<dim>(), 0.07, threads);
+    BOOST_TEST((several.particles() == one.particles()));
+    BOOST_TEST_REQUIRE(several.cells() == one.cells());
+    for (std::size_t c = 0; c <= one.cells(); ++c) BOOST_TEST_REQUIRE(several.first_in_cell(c) == one.first_in_cell(c));
+    for (int k = 0; k < dim; ++k) {
+      BOOST_TEST(several.origin(k) == one.origin(k));
+      BOOST_TEST(several.cell_size(k) == one.cell_size(k));
+    }
+  }
+  // Whoever is in a cell is there by its number.
+  for (std::size_t c = 0; c < one.cells(); ++c) {
+    auto const begin = one.particles().begin();
+    BOOST_TEST_REQUIRE(std::is_sorted(begin + one.first_in_cell(c), begin + one.first_in_cell(c + 1)));
+  }
 }
 
 BOOST_AUTO_TEST_SUITE_END()

@@ -1,6 +1,8 @@
 #include "formulations/walls/walls.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
+#include <stdexcept>
 #include <string>
 
 #include "cases/exact/riemann.hpp"
@@ -762,6 +764,43 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(contacts_go_by_the_kernel_of_the_particles, D, Dim
       BOOST_TEST(worst_density < 1e-13, info.id);
       BOOST_TEST(worst_weight < 1e-13, info.id);
     }
+  }
+}
+
+BOOST_AUTO_TEST_CASE(threads_change_neither_contacts_nor_what_closures_fill_in_nor_who_is_complained_of) {
+  RandomScene<2> scene = random_slab<2>(17, 9000);  // more than are looked at together
+  SmoothingLength const h(0.03, default_kernel(2));
+  CellGrid<2> const grid(scene.particles.positions(), scene.domain, h.kernel().support_ratio() * h.largest());
+  auto const found = [&](int threads) {
+    WallContacts<2> contacts = find_wall_contacts(grid, scene.walls[1], scene.walls, h, scene.particles.masses(),
+                                                  scene.particles.scalar(Field::density), FaceWeight::balanced, threads);
+    fill_boundary_values(contacts, scene.walls[1], scene.particles, {BoundaryValue::pressure, BoundaryValue::velocity},
+                         Closure::quotient, 0.0, threads);
+    return contacts;
+  };
+  WallContacts<2> const one = found(1);
+  BOOST_TEST(one.size() > 300u);
+  BOOST_TEST(std::is_sorted(one.particle.begin(), one.particle.end()));
+  for (int const threads : {2, 3}) {
+    WallContacts<2> const several = found(threads);
+    BOOST_TEST((several.particle == one.particle));
+    BOOST_TEST((several.face_weight == one.face_weight));
+    BOOST_TEST((several.foot_density == one.foot_density));
+    BOOST_TEST((several.interpolation_first == one.interpolation_first));
+    BOOST_TEST((several.interpolation_neighbour == one.interpolation_neighbour));
+    BOOST_TEST((several.interpolation_kernel == one.interpolation_kernel));
+    BOOST_TEST((several.pressure == one.pressure));
+    for (int k = 0; k < 2; ++k) {
+      BOOST_TEST((several.foot.component(k) == one.foot.component(k)));
+      BOOST_TEST((several.velocity.component(k) == one.velocity.component(k)));
+    }
+  }
+  scene.particles.positions().set(8000, Vector<2>(1.5, 0.5));
+  scene.particles.positions().set(5000, Vector<2>(1.5, 0.5));
+  for (int const threads : {1, 2}) {
+    BOOST_CHECK_EXCEPTION(found(threads), std::invalid_argument, [](std::invalid_argument const& error) {
+      return std::string(error.what()).find("particle 5000 lies on or outside") == 0;
+    });
   }
 }
 

@@ -80,7 +80,7 @@ std::unique_ptr<MovingGas<1>> integrated(Gas const& gas, std::string const& meth
   auto moving =
       std::make_unique<MovingGas<1>>(problem_of(gas), choice_of(gas), method == "leapfrog" ? rung : 1.0);
   OdeResult const result =
-      moving->integrate(method, {rung, rung}, [](double, GasBudgets<1> const&) -> std::string { return ""; });
+      moving->integrate(method, {rung, rung}, [](double, double const*, GasBudgets<1> const&) -> std::string { return ""; });
   BOOST_TEST_REQUIRE((result.outcome == OdeOutcome::finished), result.reason);
   return moving;
 }
@@ -363,35 +363,124 @@ BOOST_AUTO_TEST_CASE(heat_through_walls_is_part_of_their_energy) {
 
 // ---- Time
 
+/// The error in time of leapfrog, by halving its steps, against runge-kutta at a tight tolerance.
+void check_second_order(Gas const& gas, double allowed) {
+  auto const reference = integrated(gas, "runge-kutta", 1e-11);
+  Problem<1> const problem = problem_of(gas);
+  auto const& particles = reference->scene().particles();
+  std::vector<double> exact(particles.size());
+  for (std::size_t i = 0; i < exact.size(); ++i) {
+    exact[i] = problem.vectors.at(Field::velocity)(particles.positions()[i], problem.final_time)[0];
+  }
+  double const space_error = root_mean_square(velocities(*reference), exact);
+  double before_v = 0.0, before_e = 0.0;
+  for (double const factor : {1.0, 0.5, 0.25}) {
+    auto const leapfrog = integrated(gas, "leapfrog", factor);
+    double const v = root_mean_square(velocities(*leapfrog), velocities(*reference));
+    double const e = root_mean_square(energies(*leapfrog), energies(*reference));
+    BOOST_TEST(v < 0.01 * space_error);
+    if (before_v > 0.0) {
+      BOOST_TEST(before_v / v == 4.0, tolerance(allowed));
+      BOOST_TEST(before_e / e == 4.0, tolerance(allowed));
+    }
+    before_v = v;
+    before_e = e;
+  }
+}
+
 BOOST_AUTO_TEST_CASE(leapfrog_goes_to_runge_kutta_at_second_order_and_is_far_below_the_error_in_space) {
   for (ViscosityChoice const viscosity : {ViscosityChoice{}, usual_viscosity}) {
     Gas const gas{.scene_case = "hydro/manufactured",
                   .discretisation = moved_by("leapfrog", viscosity),
                   .parameters = {{"final_time", 0.1}}};
-    auto const reference = integrated(gas, "runge-kutta", 1e-11);
-    Problem<1> const problem = problem_of(gas);
-    auto const& particles = reference->scene().particles();
-    std::vector<double> exact(particles.size());
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-      exact[i] = problem.vectors.at(Field::velocity)(particles.positions()[i], problem.final_time)[0];
-    }
-    double const space_error = root_mean_square(velocities(*reference), exact);
-    double before_v = 0.0, before_e = 0.0;
-    for (double const factor : {1.0, 0.5, 0.25}) {
-      auto const leapfrog = integrated(gas, "leapfrog", factor);
-      double const v = root_mean_square(velocities(*leapfrog), velocities(*reference));
-      double const e = root_mean_square(energies(*leapfrog), energies(*reference));
-      BOOST_TEST(v < 0.01 * space_error);
-      if (before_v > 0.0) {
-        // Viscosity sets in with a kink.
-        double const allowed = viscosity.alpha > 0.0 ? 0.15 : 0.03;
-        BOOST_TEST(before_v / v == 4.0, tolerance(allowed));
-        BOOST_TEST(before_e / e == 4.0, tolerance(allowed));
-      }
-      before_v = v;
-      before_e = e;
-    }
+    check_second_order(gas, viscosity.alpha > 0.0 ? 0.15 : 0.03);  // viscosity sets in with a kink
   }
+}
+
+// Its pressure at a wall of prescribed velocity follows from the gas's velocity there, its velocity at one of prescribed pressure
+// from the gas's pressure.
+BOOST_AUTO_TEST_CASE(leapfrog_is_of_second_order_where_a_closure_solves_for_what_the_wall_does_not_prescribe) {
+  for (char const* drive : {"velocity", "pressure"}) {
+    Gas gas{.scene_case = "hydro/manufactured",
+            .discretisation = moved_by("leapfrog", {}),
+            .parameters = {{"final_time", 0.1}, {"drive", std::string(drive)}}};
+    gas.discretisation.closure = "one-sided";
+    check_second_order(gas, 0.05);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(leapfrog_is_of_second_order_with_heat_conduction_and_total_energy) {
+  for (char const* work : {"work/internal-energy", "work/total-energy"}) {
+    Gas const gas{.scene_case = "coupled/manufactured",
+                  .work = work,
+                  .conduction = "conduction/brookshaw",
+                  .discretisation = moved_by("leapfrog", {}),
+                  .parameters = {{"final_time", 0.1}}};
+    check_second_order(gas, 0.05);
+  }
+}
+
+// Each end of a step exchanges what its force does with the same velocities. With even steps what is left of energy telescopes.
+BOOST_AUTO_TEST_CASE(leapfrog_keeps_energy_less_an_eighth_of_a_dt_squared_to_round_off) {
+  Gas const gas{.scene_case = "hydro/acoustic",
+                .discretisation = moved_by("leapfrog", {}),
+                .parameters = {{"amplitude", 0.05}, {"mode", 2.0}, {"boundary", std::string("periodic")}}};
+  MovingScene<1> scene(problem_of(gas), choice_of(gas));
+  std::size_t const n = scene.coordinates();
+  double const dt = 0.2 / static_cast<double>(gas.resolution);
+  std::vector<double> rates(scene.unknowns());
+  auto const kept = [&](double const* y) {
+    double sum = scene.energy(y);
+    for (std::size_t i = 0; i < n; ++i) sum -= scene.particles().masses()[i] * dt * dt * rates[n + i] * rates[n + i] / 8.0;
+    return sum;
+  };
+  std::vector<double> const start = scene.initial_state();
+  scene.evaluate(0.0, start.data());
+  scene.rates(rates.data());
+  double const first = kept(start.data());
+  double worst = 0.0, worst_energy = 0.0;
+  OdeSystem system;
+  system.size = scene.unknowns();
+  system.monitor = [&](double, double const* y, double const*) -> std::string {
+    worst = std::max(worst, std::abs(kept(y) / first - 1.0));
+    worst_energy = std::max(worst_energy, std::abs(scene.energy(y) / scene.energy(start.data()) - 1.0));
+    return "";
+  };
+  OdeResult const result = integrate_leapfrog(system, start, 100.0 * dt,
+                                              {.coordinates = n,
+                                               .impulses = 0,
+                                               .rate =
+                                                   [&](double t, double const* y, double* dydt) {
+                                                     scene.evaluate(t, y, dydt);
+                                                     scene.rates(dydt);
+                                                     rates.assign(dydt, dydt + rates.size());
+                                                   },
+                                               .drift =
+                                                   [&](double, double const* y, double const* velocities, double* out) {
+                                                     scene.drift(y, velocities);
+                                                     scene.drift_rates(out);
+                                                   },
+                                               .largest_step = [&](double) { return dt * (1.0 + 1e-9); },
+                                               .smallest_step = 0.0,
+                                               .most_steps = 1000});
+  BOOST_TEST_REQUIRE((result.outcome == OdeOutcome::finished));
+  BOOST_TEST(result.steps == 100u);
+  BOOST_TEST(worst < 1e-14);
+  BOOST_TEST(worst_energy > 1e-9);  // else there is nothing to telescope
+}
+
+BOOST_AUTO_TEST_CASE(what_is_measured_on_the_way_changes_no_step) {
+  Gas const gas{.scene_case = "hydro/piston-velocity", .discretisation = moved_by("leapfrog", usual_viscosity)};
+  RunRecord const plain = run_well(gas, {Measure::profile, Measure::cost});
+  RunRecord const watched = run_well(gas, {Measure::profile, Measure::cost, Measure::history});
+  BOOST_TEST(watched.cost->rate_evaluations == plain.cost->rate_evaluations);
+  BOOST_TEST((watched.profile->position == plain.profile->position));
+  BOOST_TEST((watched.profile->computed.at("internal_energy") == plain.profile->computed.at("internal_energy")));
+  // The last entry is the final state's, whose energy the budget has too.
+  History const& history = *watched.history;
+  RunRecord const budgets = run_well(gas, {Measure::conservation});
+  BOOST_TEST(history.energy.back() == budgets.conservation.at("energy").final, tolerance(1e-14));
+  BOOST_TEST(history.momentum.back() == budgets.momentum.at(0).final, tolerance(1e-14));
 }
 
 BOOST_AUTO_TEST_CASE(a_leapfrog_run_takes_the_usual_steps_and_reports_what_halving_them_changes) {
@@ -547,8 +636,9 @@ BOOST_AUTO_TEST_CASE(total_and_internal_energy_part_by_four_times_less_when_the_
        {std::pair<char const*, ViscosityChoice>{"hydro/manufactured", {}},
         {"hydro/piston-velocity", usual_viscosity}}) {
     double before = 0.0;
-    // At the usual step the gas that a piston hits at once is not in the range of second order yet.
-    for (double const factor : {0.5, 0.25, 0.125}) {
+    // Usual steps hardly resolve how a particle passes a shock.
+    double const longest = viscosity.alpha > 0.0 ? 0.125 : 1.0;
+    for (double const factor : {longest, 0.5 * longest, 0.25 * longest}) {
       Gas gas{.scene_case = scene_case, .discretisation = moved_by("leapfrog", viscosity)};
       auto const internal = integrated(gas, "leapfrog", factor);
       gas.work = "work/total-energy";
@@ -604,7 +694,7 @@ BOOST_AUTO_TEST_CASE(a_pressure_that_turns_negative_is_a_lost_positivity_of_sqrt
   RunRecord const record = run(gas, {Measure::error});
   BOOST_TEST(record.status == "positivity-lost");
   BOOST_TEST(record.reason.find("negative pressure: particle ") != std::string::npos, record.reason);
-  BOOST_TEST(record.reason.find(" at t = 0.003") != std::string::npos, record.reason);
+  BOOST_TEST(record.reason.find(" at t = 0.007") != std::string::npos, record.reason);
   gas.formulation = p_rho2;
   BOOST_TEST(run(gas, {Measure::error}).status == "ok");
 }
@@ -731,9 +821,8 @@ BOOST_AUTO_TEST_CASE(an_evaluation_is_counted_once_whatever_its_parts) {
   RunRecord const record = run_well(
       {.scene_case = "hydro/piston-velocity", .discretisation = moved_by("leapfrog", usual_viscosity)},
       {Measure::cost});
-  // Two a step, the first and the final state; one more when no earlier rate is at hand.
-  BOOST_TEST(record.cost->rate_evaluations >= 2 * record.cost->steps);
-  BOOST_TEST(record.cost->rate_evaluations <= 2 * record.cost->steps + 2);
+  // One a step, the first and the final state.
+  BOOST_TEST(record.cost->rate_evaluations == record.cost->steps + 2);
 }
 
 BOOST_AUTO_TEST_SUITE_END()

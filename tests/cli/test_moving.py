@@ -144,6 +144,23 @@ class Documents(ProgramTest):
         self.assertIn("temperature", hot["errors"])
         self.assertEqual(len(hot["wall_flux"]), 2)
 
+    def test_a_gas_of_one_particle_ends_with_who_and_why_or_well_and_the_study_goes_on(self):
+        study = moving_study(
+            cases=["hydro/piston-velocity", "hydro/noh"],
+            resolution=[1, 20],
+            discretisation={"density": "summation", "smoothing": ["uniform", "adaptive"]},
+            measure=["error", "conservation"],
+        )
+        runs = self.results(study)["runs"]
+        self.assertEqual(len(runs), 8)
+        for run in runs:
+            alone = run["resolution"] == 1 and run["discretisation"]["smoothing"] == "adaptive"
+            self.assertEqual(run["status"] == "invalid", alone, run["reason"])
+            if alone:
+                self.assertRegex(run["reason"], "particle 0 .* it is alone")
+            elif run["status"] != "ok":
+                self.assertRegex(run["reason"], r"particle.* at t = |at t = .*particle")
+
     def test_lost_positivity_names_particle_quantity_and_time_and_the_study_goes_on(self):
         study = moving_study(cases=["hydro/riemann", "hydro/piston-velocity"], resolution=[40])
         results = self.results(study)

@@ -35,6 +35,7 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   void begin_pass(int pass, Particles<Dim>& particles, PairGeometry<Dim>& geometry, Closure closure,
                   double time, int threads, PairSweep<Dim>& sweep) override {
+    threads_ = threads;
     with_pass(pass, [&]<std::size_t n>() {
       if (n < last && is_frozen_) return;
       fill_boundaries<n>(particles, geometry, closure, time, threads);
@@ -63,7 +64,7 @@ class SchemeOperator final : public RateOperator<Dim> {
         exchanged_.clear();
         for (std::size_t w = 0; w < geometry.contacts.size(); ++w) {
           wall_terms_.push_back(add_wall<n>(geometry, w, particles));
-          exchanged_.push_back(total(geometry.contacts[w], particles, wall_terms_.back()));
+          exchanged_.push_back(total(geometry.contacts[w], particles, wall_terms_.back(), threads_));
         }
       } else {
         for (std::size_t w = 0; w < geometry.contacts.size(); ++w) add_wall<n>(geometry, w, particles);
@@ -207,7 +208,7 @@ class SchemeOperator final : public RateOperator<Dim> {
   }
 
   template <std::size_t n>
-  static auto add_wall(PairGeometry<Dim> const& geometry, std::size_t wall, Particles<Dim>& particles) {
+  auto add_wall(PairGeometry<Dim> const& geometry, std::size_t wall, Particles<Dim>& particles) const {
     constexpr FieldInfo field = sphverify::info(output_of<Pass<n>>());
     using Term = std::conditional_t<field.is_tensor, Tensor<Dim>, std::conditional_t<field.is_vector, Vector<Dim>, double>>;
     WallContacts<Dim> const& contacts = geometry.contacts[wall];
@@ -227,7 +228,7 @@ class SchemeOperator final : public RateOperator<Dim> {
     constexpr bool reads_faces = Pass<n>::info.kernel.contains(KernelWeight::face_offset);
     return sweep_wall<Term, reads_of_pass<Scheme, n>(), of_wall, reads_faces>(
         contacts, particles, output<Pass<n>>(particles),
-        [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); });
+        [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); }, threads_);
   }
 
   /// Makes of a pass's sums what it writes.
@@ -256,11 +257,11 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   /// sum_i m_i term_i: what the wall gives to the particles, per time.
   static Value total(WallContacts<Dim> const& contacts, Particles<Dim> const& particles,
-                     std::vector<Value> const& terms) {
-    Value sum{};
-    if constexpr (!std::is_same_v<Value, double>) sum.setZero();
-    for (std::size_t c = 0; c < terms.size(); ++c) sum += particles.masses()[contacts.particle[c]] * terms[c];
-    return sum;
+                     std::vector<Value> const& terms, int threads) {
+    Value zero{};
+    if constexpr (!std::is_same_v<Value, double>) zero.setZero();
+    return sum_of_rows(terms.size(), threads, zero,
+                       [&](std::size_t c) -> Value { return particles.masses()[contacts.particle[c]] * terms[c]; });
   }
 
   void conduct(Particles<Dim>& particles, NeighbourList const& neighbours, int threads) const {
@@ -283,6 +284,7 @@ class SchemeOperator final : public RateOperator<Dim> {
 
   struct NoWeights {};
   std::conditional_t<has_own_weights, QuadraticWeights<Dim>, NoWeights> weights_;
+  int threads_ = 1;  ///< of the pass that was begun last
   bool is_frozen_ = false;
   std::vector<double> conductance_;             ///< per pair, once frozen
   std::vector<std::vector<Value>> wall_terms_;  ///< per wall and contact

@@ -166,22 +166,23 @@ void find_contacts_of(std::size_t begin, std::size_t end, CellGrid<Dim> const& g
   }
 }
 
-template <class Value>
-void append(std::vector<Value>& to, std::vector<Value> const& from) {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-/// Adds those of later particles to those of earlier ones.
+/// Puts those of some particles in their place among all.
 template <int Dim>
-void append(WallContacts<Dim>& all, WallContacts<Dim> const& later) {
-  std::size_t const interpolated = all.interpolation_neighbour.size();
-  append(all.particle, later.particle);
-  append(all.distance, later.distance);
-  append(all.face_weight, later.face_weight);
-  append(all.foot_density, later.foot_density);
-  append(all.interpolation_neighbour, later.interpolation_neighbour);
-  append(all.interpolation_kernel, later.interpolation_kernel);
-  for (std::size_t const end : later.interpolation_first) all.interpolation_first.push_back(interpolated + end);
+void put(FoundContacts<Dim> const& part, std::size_t first, std::size_t first_interpolated, WallContacts<Dim>& all) {
+  auto const copy = [](auto const& from, auto& to, std::size_t at) {
+    std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(at));
+  };
+  WallContacts<Dim> const& some = part.contacts;
+  copy(some.particle, all.particle, first);
+  copy(some.distance, all.distance, first);
+  copy(some.face_weight, all.face_weight, first);
+  copy(some.foot_density, all.foot_density, first);
+  copy(some.interpolation_neighbour, all.interpolation_neighbour, first_interpolated);
+  copy(some.interpolation_kernel, all.interpolation_kernel, first_interpolated);
+  for (std::size_t c = 0; c < some.size(); ++c) {
+    all.interpolation_first[first + c + 1] = first_interpolated + some.interpolation_first[c];
+    all.foot.set(first + c, part.feet[c]);
+  }
 }
 
 }  // namespace
@@ -215,22 +216,31 @@ WallContacts<Dim> find_wall_contacts(CellGrid<Dim> const& grid, Wall<Dim> const&
   for (FoundContacts<Dim> const& part : parts) {
     if (part.complaint) std::rethrow_exception(part.complaint);
   }
-  WallContacts<Dim> contacts;
-  contacts.interpolation_first.push_back(0);
-  std::size_t interpolated = 0;
-  for (FoundContacts<Dim> const& part : parts) interpolated += part.contacts.interpolation_neighbour.size();
-  contacts.interpolation_neighbour.reserve(interpolated);
-  contacts.interpolation_kernel.reserve(interpolated);
-  std::vector<Vector<Dim>> feet;
-  for (FoundContacts<Dim>& part : parts) {
-    append(contacts, part.contacts);
-    append(feet, part.feet);
-    part = {};
+  std::vector<std::size_t> first{0}, first_interpolated{0};
+  for (FoundContacts<Dim> const& part : parts) {
+    first.push_back(first.back() + part.contacts.size());
+    first_interpolated.push_back(first_interpolated.back() + part.contacts.interpolation_neighbour.size());
   }
+  WallContacts<Dim> contacts;
   contacts.outward_normal = wall.outward_normal;
   contacts.prescribes_flux_only = wall.prescribes_flux_only();
-  contacts.foot = VectorField<Dim>(contacts.size());
-  for (std::size_t c = 0; c < contacts.size(); ++c) contacts.foot.set(c, feet[c]);
+  contacts.particle.resize(first.back());
+  contacts.distance.resize(first.back());
+  contacts.face_weight.resize(first.back());
+  contacts.foot_density.resize(first.back());
+  contacts.foot = VectorField<Dim>(first.back());
+  contacts.interpolation_first.resize(first.back() + 1, 0);
+  contacts.interpolation_neighbour.resize(first_interpolated.back());
+  contacts.interpolation_kernel.resize(first_interpolated.back());
+  for_each_block(
+      parts.size(), threads,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t part = begin; part < end; ++part) {
+          put(parts[part], first[part], first_interpolated[part], contacts);
+          parts[part] = {};
+        }
+      },
+      1);
   return contacts;
 }
 

@@ -11,8 +11,10 @@
 #include "formulations/conduction/lucy_flux.hpp"
 #include "formulations/momentum/direct_gradient.hpp"
 #include "formulations/momentum/p_rho2.hpp"
+#include "formulations/momentum/p_rho2_grad_h.hpp"
 #include "formulations/momentum/sqrt_p.hpp"
 #include "formulations/work/internal_energy.hpp"
+#include "formulations/work/p_rho2_grad_h.hpp"
 #include "formulations/work/sqrt_p.hpp"
 #include "formulations/work/total_energy.hpp"
 
@@ -22,6 +24,7 @@ namespace sphverify {
 using AllSchemes = std::tuple<PressureOverDensitySquared, SquareRootOfPressure, DirectGradient,  //
                               TotalEnergyWork, InternalEnergyWork, SquareRootOfPressureWork,     //
                               Brookshaw, LucyFlux, CampbellFlux,                                 //
-                              ClearyMonaghan, GammaBrookshaw, Gmls, CorrectedFlux>;
+                              ClearyMonaghan, GammaBrookshaw, Gmls, CorrectedFlux,               //
+                              PressureOverDensitySquaredGradH, InternalEnergyWorkGradH>;
 
 }  // namespace sphverify

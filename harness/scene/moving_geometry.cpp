@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "formulations/basics/parallel.hpp"
+#include "formulations/density/grad_h.hpp"
 #include "formulations/density/self_consistent_smoothing.hpp"
 #include "harness/scene/list_skin.hpp"
 
@@ -80,6 +81,7 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
     grid_.emplace(particles.positions(), geometry_.domain, h.kernel().support_ratio() * h.largest());
   }
   if (sums_density()) set_density(particles, *grid_, all_walls);
+  if (particles.has(Field::omega)) set_omega(particles, *grid_, all_walls);
   if (!walls.empty()) ++passes_["wall-contacts"];
   geometry_.walls = walls;
   if (weighs_by_kernel()) {
@@ -125,22 +127,27 @@ void MovingGeometry<Dim>::follow_list(Particles<Dim> const& particles) {
 
 /// By how much, in half supports, places and smoothing lengths have changed since the list was found. With
 /// s_i the half of a support it holds every pair that was closer than (1 + skin)(s_i + s_j), and a pair is
-/// now closer than s_i + s_j only if it was closer than that plus what both have moved. Infinite where a
-/// place is not a number.
+/// now closer than s_i + s_j only if it was closer than that plus what both have moved. Where the larger of
+/// two supports counts it holds those that were closer than (1 + skin) times that, and what the one with the
+/// larger moved counts with what anybody has. Infinite where a place is not a number.
 template <int Dim>
 double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
   SmoothingLength const h(particles);
   double const support_ratio = h.kernel().support_ratio();
+  auto const found_with_of = [&](std::size_t i) { return h.is_uniform() ? found_with_.front() : found_with_[i]; };
   double used = 0.0;
   double farthest = 0.0;
+  std::vector<double> moved(particles.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {
-    Vector<Dim> const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]);
-    double const of_one = (h(i) + moved.norm() / (0.5 * support_ratio)) /
-                              (h.is_uniform() ? found_with_.front() : found_with_[i]) -
-                          1.0;
+    moved[i] = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]).norm();
+    double const of_one = (h(i) + moved[i] / (0.5 * support_ratio)) / found_with_of(i) - 1.0;
     if (!std::isfinite(of_one)) return std::numeric_limits<double>::infinity();
     used = std::max(used, of_one);
-    farthest = std::max(farthest, moved.norm());
+    farthest = std::max(farthest, moved[i]);
+  }
+  if (choice_.support == PairSupport::larger) {
+    for (std::size_t i = 0; i < particles.size(); ++i)
+      used = std::max(used, (h(i) + (moved[i] + farthest) / support_ratio) / found_with_of(i) - 1.0);
   }
   // The grid is asked for all within the largest support, whoever has moved.
   double const found_with = *std::max_element(found_with_.begin(), found_with_.end());
@@ -163,7 +170,7 @@ void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin
   geometry_.neighbours.neighbour.clear();
   grid_.reset();
   CellGrid<Dim> const grid(particles.positions(), geometry_.domain, reach);
-  geometry_.neighbours = find_neighbours(grid, h, skin_, choice_.threads, std::move(old));
+  geometry_.neighbours = find_neighbours(grid, h, skin_, choice_.threads, std::move(old), choice_.support);
   grid_.emplace(grid);
   found_with_.assign(h.is_uniform() ? 1 : particles.size(), particles.smoothing_length());
   if (!h.is_uniform()) {
@@ -191,6 +198,21 @@ void MovingGeometry<Dim>::set_density(Particles<Dim>& particles, CellGrid<Dim> c
     density[i] /= kernel_inside(particles.positions()[i], walls, h(i), h.kernel());
   });
   ++passes_["density-normalisation"];
+}
+
+/// 1 where smoothing lengths stay; else of the summed density that they follow, and no number where it is not summed.
+template <int Dim>
+void MovingGeometry<Dim>::set_omega(Particles<Dim>& particles, CellGrid<Dim> const& grid,
+                                    std::vector<Wall<Dim>> const& walls) {
+  if (!choice_.adaptive || !sums_density()) {
+    particles.scalar(Field::omega).assign(particles.size(), choice_.adaptive ? std::numeric_limits<double>::quiet_NaN() : 1.0);
+    return;
+  }
+  std::vector<Wall<Dim>> const none;
+  std::vector<Wall<Dim>> const& normalised_by = choice_.density == DensityRule::normalised ? walls : none;
+  particles.scalar(Field::omega) = grad_h_terms(grid, SmoothingLength(particles), particles.masses(),
+                                                particles.scalar(Field::density), normalised_by, choice_.threads);
+  ++passes_["grad-h"];
 }
 
 /// h_i = (h/dx) (m_i/rho_i)^(1/Dim), with the densities that are there.

@@ -13,6 +13,7 @@ from program import ProgramTest, environment, strict_json
 FORMULATIONS = {
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy", "work/internal-energy",
     "work/sqrt-p", "conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux",
+    "momentum/p-rho2-grad-h", "work/p-rho2-grad-h",
 }  # fmt: skip
 FIVE_THIRDS = "1.6666666666666667"
 PISTON = {

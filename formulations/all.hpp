@@ -12,12 +12,14 @@
 #include "formulations/momentum/direct_gradient.hpp"
 #include "formulations/momentum/gdsph.hpp"
 #include "formulations/momentum/p_rho2.hpp"
+#include "formulations/momentum/p_rho2_grad_h.hpp"
 #include "formulations/momentum/pressure_energy.hpp"
 #include "formulations/momentum/rkgc.hpp"
 #include "formulations/momentum/sqrt_p.hpp"
 #include "formulations/momentum/voronoi.hpp"
 #include "formulations/work/gdsph.hpp"
 #include "formulations/work/internal_energy.hpp"
+#include "formulations/work/p_rho2_grad_h.hpp"
 #include "formulations/work/pressure_energy.hpp"
 #include "formulations/work/rkgc.hpp"
 #include "formulations/work/sqrt_p.hpp"
@@ -34,6 +36,7 @@ using AllSchemes = std::tuple<PressureOverDensitySquared, SquareRootOfPressure, 
                               GeometricDensity, GeometricDensityWork,                            //
                               PressureEnergy, PressureEnergyWork,                                //
                               ReverseCorrectedGradient, ReverseCorrectedWork,                    //
-                              VoronoiPressure, VoronoiWork>;
+                              VoronoiPressure, VoronoiWork,                                      //
+                              PressureOverDensitySquaredGradH, InternalEnergyWorkGradH>;
 
 }  // namespace sphverify

@@ -8,6 +8,7 @@
 
 #include "formulations/particles/field.hpp"
 #include "formulations/basics/flag_set.hpp"
+#include "formulations/neighbours/pair_support.hpp"
 #include "formulations/walls/walls.hpp"
 
 namespace sphverify {
@@ -26,7 +27,8 @@ enum class KernelWeight {
   gradient,  ///< grad_i W_ij, a vector  [m^-(Dim+1)]
   radial,    ///< (r_ij . grad_i W_ij) / r_ij^2 = W'(r)/r  [m^-(Dim+2)]
   value,     ///< W_ij, a number  [m^-Dim]
-  face_offset  ///< from (r_i + r_j)/2 to the centroid of the face between i and j, a vector; of Voronoi pair weights alone  [m]
+  face_offset,  ///< from (r_i + r_j)/2 to the centroid of the face between i and j, a vector; of Voronoi pair weights alone  [m]
+  own_gradients  ///< grad_i W(r_ij, h_i) and grad_i W(r_ij, h_j), not by the pair's mean h  [m^-(Dim+1)]
 };
 using KernelWeightSet = FlagSet<KernelWeight>;
 
@@ -171,10 +173,25 @@ constexpr bool reads_what_nobody_wrote(SchemeInfo const& scheme) {
   return false;
 }
 
+/// All that it reads of the kernel.
+constexpr KernelWeightSet kernel_read(SchemeInfo const& scheme) {
+  KernelWeightSet kernel = scheme.kernel;
+  for (PassInfo const& pass : scheme.first_passes) kernel = kernel | pass.kernel;
+  return kernel;
+}
+
+/// Which pairs it sees where particles have smoothing lengths of their own.
+constexpr PairSupport pair_support(SchemeInfo const& scheme) {
+  return kernel_read(scheme).contains(KernelWeight::own_gradients) ? PairSupport::larger : PairSupport::mean;
+}
+
 /// How many of its passes differentiate, that of its rate among them.
 constexpr int derivatives_taken(SchemeInfo const& scheme) {
   auto const of = [](KernelWeightSet kernel) {
-    return kernel.contains(KernelWeight::gradient) || kernel.contains(KernelWeight::radial) ? 1 : 0;
+    return kernel.contains(KernelWeight::gradient) || kernel.contains(KernelWeight::radial) ||
+                   kernel.contains(KernelWeight::own_gradients)
+               ? 1
+               : 0;
   };
   int count = of(scheme.kernel);
   for (PassInfo const& pass : scheme.first_passes) count += of(pass.kernel);
@@ -205,8 +222,9 @@ constexpr bool feeds_its_closures(SchemeInfo const& scheme) {
 /// Why it cannot take pair weights that are given instead of the kernel's; empty if it can.
 constexpr std::string_view why_no_pair_weights(SchemeInfo const& scheme) {
   if (scheme.least_squares) return "brings pair weights of its own along";
-  KernelWeightSet kernel = scheme.kernel;
-  for (PassInfo const& pass : scheme.first_passes) kernel = kernel | pass.kernel;
+  KernelWeightSet const kernel = kernel_read(scheme);
+  if (kernel.contains(KernelWeight::own_gradients))
+    return "reads the kernel by each particle's own smoothing length, which Voronoi pair weights do not have";
   return kernel.contains(KernelWeight::value) ? "reads the kernel's value, which Voronoi pair weights do not have" : "";
 }
 

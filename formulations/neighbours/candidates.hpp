@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "formulations/neighbours/pair_support.hpp"
+
 // The search for neighbours as plain data, for the same reason as the sweep over them (sweep.hpp).
 namespace sphverify {
 
@@ -15,6 +17,7 @@ struct SortedPlaces {
   double const* x[3];           ///< along the box's axes [m]
   double const* half_reach;     ///< [m]; null where all pairs have the same reach
   std::uint32_t const* number;  ///< which particle
+  PairSupport support = PairSupport::mean;  ///< whether a pair's reach is the sum of its halves or twice the larger
 };
 
 /// The box around a cell's own particles, in which candidates for their neighbours are measured: places from

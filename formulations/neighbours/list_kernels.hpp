@@ -9,7 +9,25 @@ namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 
 static_assert(Eight::size == candidates_at_a_time);
 
-template <int Dim, bool own_reaches>
+/// What a pair's reach is made of: nothing of its own, the sum of its halves, or the larger.
+enum class Reach { common, of_sum, of_larger };
+
+SPHVERIFY_INLINE Reach reach_of(SortedPlaces const& all) {
+  if (!all.half_reach) return Reach::common;
+  return all.support == PairSupport::mean ? Reach::of_sum : Reach::of_larger;
+}
+
+template <Reach reach>
+SPHVERIFY_INLINE Eight whole_reach(Eight a, Eight b) {
+  if constexpr (reach == Reach::of_larger) {
+    Eight const larger = a + positive_part(b - a);
+    return larger + larger;
+  } else {
+    return a + b;
+  }
+}
+
+template <int Dim, Reach reach>
 SPHVERIFY_INLINE void add_candidates(SortedPlaces const& all, HomeBox const& home, std::size_t begin,
                                      std::size_t end, double const* shift, Candidates& to) {
   Eight::Mask const lane{0, 1, 2, 3, 4, 5, 6, 7};
@@ -23,14 +41,14 @@ SPHVERIFY_INLINE void add_candidates(SortedPlaces const& all, HomeBox const& hom
       squared = squared + beyond * beyond;
     }
     Eight half_reach = 0.5f;
-    if constexpr (own_reaches) half_reach = Eight::load(all.half_reach + n, 0.0, 0.0, home.per_reach);
-    Eight const reach = half_reach + home.largest_half_reach;
-    Eight::Mask left_out = squared > reach * reach + home.margin;
+    if constexpr (reach != Reach::common) half_reach = Eight::load(all.half_reach + n, 0.0, 0.0, home.per_reach);
+    Eight const farthest = whole_reach<reach>(half_reach, home.largest_half_reach);
+    Eight::Mask left_out = squared > farthest * farthest + home.margin;
     left_out |= lane >= static_cast<std::int32_t>(end - n < Eight::size ? end - n : Eight::size);
     unsigned const set = ~bits_of(left_out) & 0xffu;
     ToFront const front(set);
     for (std::size_t k = 0; k < Dim; ++k) front.store(x[k], to.x[k] + count);
-    if constexpr (own_reaches) front.store(half_reach, to.half_reach + count);
+    if constexpr (reach != Reach::common) front.store(half_reach, to.half_reach + count);
     front.store(all.number + n, to.number + count);
     std::uint32_t places[Eight::size];
     for (std::size_t l = 0; l < Eight::size; ++l) places[l] = static_cast<std::uint32_t>(n + l);
@@ -43,16 +61,22 @@ SPHVERIFY_INLINE void add_candidates(SortedPlaces const& all, HomeBox const& hom
 template <int Dim>
 void add(SortedPlaces const& all, HomeBox const& home, std::size_t begin, std::size_t end,
          double const* shift, Candidates& to) {
-  all.half_reach ? add_candidates<Dim, true>(all, home, begin, end, shift, to)
-                 : add_candidates<Dim, false>(all, home, begin, end, shift, to);
+  switch (reach_of(all)) {
+    case Reach::common:
+      return add_candidates<Dim, Reach::common>(all, home, begin, end, shift, to);
+    case Reach::of_sum:
+      return add_candidates<Dim, Reach::of_sum>(all, home, begin, end, shift, to);
+    case Reach::of_larger:
+      return add_candidates<Dim, Reach::of_larger>(all, home, begin, end, shift, to);
+  }
 }
 
 /// Which candidates of eight are near, in double precision.
 /// @param at the first of the eight
 /// @param asked which of them
-template <int Dim, bool own_reaches>
+template <int Dim, Reach reach>
 [[gnu::noinline, gnu::cold]] unsigned confirm(SortedPlaces const& all, Candidates const& candidates,
-                                              std::size_t self, double reach, std::size_t at, unsigned asked,
+                                              std::size_t self, double common_reach, std::size_t at, unsigned asked,
                                               bool& same_place) {
   std::size_t const i = candidates.place[self];
   unsigned near = 0;
@@ -67,18 +91,20 @@ template <int Dim, bool own_reaches>
       double const along = all.x[k][i] - (all.x[k][j] + run->shift[k]);
       squared += along * along;
     }
-    double both = reach;
-    if constexpr (own_reaches) both = all.half_reach[i] + all.half_reach[j];
+    double both = common_reach;
+    if constexpr (reach == Reach::of_sum) both = all.half_reach[i] + all.half_reach[j];
+    if constexpr (reach == Reach::of_larger)
+      both = 2.0 * (all.half_reach[i] < all.half_reach[j] ? all.half_reach[j] : all.half_reach[i]);
     if (squared < both * both) near |= 1u << l;
     same_place |= squared == 0.0;
   }
   return near;
 }
 
-template <int Dim, bool own_reaches>
+template <int Dim, Reach reach>
 SPHVERIFY_INLINE std::size_t find_near_candidates(SortedPlaces const& all, HomeBox const& home,
                                                   Candidates const& candidates, std::size_t self,
-                                                  double reach, std::uint8_t* near, bool& same_place) {
+                                                  double common_reach, std::uint8_t* near, bool& same_place) {
   // Copies: writing bytes must not make it read them anew.
   float const* x[Dim];
   Eight from[Dim];
@@ -87,7 +113,7 @@ SPHVERIFY_INLINE std::size_t find_near_candidates(SortedPlaces const& all, HomeB
     from[k] = x[k][self];
   }
   float const* const half_reach = candidates.half_reach;
-  Eight const own_half_reach = own_reaches ? half_reach[self] : 0.0f;
+  Eight const own_half_reach = reach != Reach::common ? half_reach[self] : 0.0f;
   float const margin = home.margin;
   Eight squared_reach = 1.0f;
   Eight::Mask at_place{};  // minus the number of those at the very place, as it rounds
@@ -100,8 +126,8 @@ SPHVERIFY_INLINE std::size_t find_near_candidates(SortedPlaces const& all, HomeB
       Eight const along = from[k] - Eight::load(x[k] + n);
       squared = squared + along * along;
     }
-    if constexpr (own_reaches) {
-      Eight const both = own_half_reach + Eight::load(half_reach + n);
+    if constexpr (reach != Reach::common) {
+      Eight const both = whole_reach<reach>(own_half_reach, Eight::load(half_reach + n));
       squared_reach = both * both;
     }
     // What is neither, or no number, is looked at again.
@@ -111,7 +137,7 @@ SPHVERIFY_INLINE std::size_t find_near_candidates(SortedPlaces const& all, HomeB
     unsigned set = bits_of(surely_near);
     unsigned const known = bits_of(surely_near | surely_far);
     if (known != 0xffu) [[unlikely]] {
-      set |= confirm<Dim, own_reaches>(all, candidates, self, reach, n, ~known, same_place);
+      set |= confirm<Dim, reach>(all, candidates, self, common_reach, n, ~known, same_place);
     }
     found += static_cast<unsigned>(__builtin_popcount(set));
     *out++ = static_cast<std::uint8_t>(set);
@@ -125,7 +151,7 @@ SPHVERIFY_INLINE std::size_t find_near_candidates(SortedPlaces const& all, HomeB
   for (std::size_t l = 0; l < Eight::size; ++l) others_at_place -= at_place[l];
   if (others_at_place > 0) [[unlikely]] {
     for (std::size_t n = 0; n < count; n += Eight::size) {
-      confirm<Dim, own_reaches>(all, candidates, self, reach, n, near[n / Eight::size], same_place);
+      confirm<Dim, reach>(all, candidates, self, common_reach, n, near[n / Eight::size], same_place);
     }
   }
   return found;
@@ -134,9 +160,15 @@ SPHVERIFY_INLINE std::size_t find_near_candidates(SortedPlaces const& all, HomeB
 template <int Dim>
 std::size_t find_near(SortedPlaces const& all, HomeBox const& home, Candidates const& candidates,
                       std::size_t self, double reach, std::uint8_t* near, bool& same_place) {
-  return all.half_reach
-             ? find_near_candidates<Dim, true>(all, home, candidates, self, reach, near, same_place)
-             : find_near_candidates<Dim, false>(all, home, candidates, self, reach, near, same_place);
+  switch (reach_of(all)) {
+    case Reach::common:
+      return find_near_candidates<Dim, Reach::common>(all, home, candidates, self, reach, near, same_place);
+    case Reach::of_sum:
+      return find_near_candidates<Dim, Reach::of_sum>(all, home, candidates, self, reach, near, same_place);
+    case Reach::of_larger:
+      return find_near_candidates<Dim, Reach::of_larger>(all, home, candidates, self, reach, near, same_place);
+  }
+  return 0;
 }
 
 inline void list(std::uint32_t const* number, std::uint8_t const* set, std::uint32_t* out,

@@ -24,7 +24,7 @@ constexpr std::size_t particles_ahead = 24;
 template <int Dim>
 class SortedParticles {
  public:
-  SortedParticles(CellGrid<Dim> const& grid, std::vector<double> const& half_reach_of, int threads)
+  SortedParticles(CellGrid<Dim> const& grid, std::vector<double> const& half_reach_of, PairSupport support, int threads)
       : number_(grid.particles()) {
     std::size_t const n = grid.particles().size();
     bool const turned = grid.domain().is_turned();
@@ -44,6 +44,7 @@ class SortedParticles {
     for (int k = 0; k < Dim; ++k) view_.x[k] = x_[static_cast<std::size_t>(k)].data();
     view_.half_reach = half_reach_.empty() ? nullptr : half_reach_.data();
     view_.number = number_.data();
+    view_.support = support;
   }
   SortedParticles(SortedParticles const&) = delete;
   SortedParticles& operator=(SortedParticles const&) = delete;
@@ -114,7 +115,7 @@ class CandidateBuffer {
   /// than 1.001 u |t|. Of a pair at the distance s, components differ by d_k, |t| <= b for the one and b +
   /// |d_k| for the other; with its own rounding the difference is wrong by 2.01 u (b + |d_k|), the sum of
   /// squares by less than 7 u b s + 8 u s^2 + 13 u^2 (b + s)^2, and, where pairs have a reach of their own,
-  /// its square by 6 u. Where s is at most the reach, s <= 1, that is less than 16 u (1 + b)^2; where it is
+  /// its square by 7 u. Where s is at most the reach, s <= 1, that is less than 16 u (1 + b)^2; where it is
   /// more, the excess grows faster with s than the error. Double precision's own rounding is far below.
   /// Numbers too large for single precision make the margin infinite or distances no numbers, and all is
   /// looked at again.
@@ -287,8 +288,8 @@ template <int Dim>
 class ListBuilder {
  public:
   /// @param half_reach per particle, where pairs have a reach of their own; else empty
-  ListBuilder(CellGrid<Dim> const& grid, std::vector<double> const& half_reach, int threads)
-      : grid_(grid), sorted_(grid, half_reach, threads), threads_(threads) {}
+  ListBuilder(CellGrid<Dim> const& grid, std::vector<double> const& half_reach, PairSupport support, int threads)
+      : grid_(grid), sorted_(grid, half_reach, support, threads), threads_(threads) {}
 
   NeighbourList build(NeighbourList list) {
     std::size_t const n = grid_.particles().size();
@@ -366,22 +367,22 @@ class ListBuilder {
 template <int Dim>
 NeighbourList find_neighbours(CellGrid<Dim> const& grid, int threads, NeighbourList old) {
   std::vector<double> const common;
-  return ListBuilder<Dim>(grid, common, threads).build(std::move(old));
+  return ListBuilder<Dim>(grid, common, PairSupport::mean, threads).build(std::move(old));
 }
 
 template <int Dim>
 NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& h, double skin, int threads,
-                              NeighbourList old) {
+                              NeighbourList old, PairSupport support) {
   if (h.is_uniform()) return find_neighbours(grid, threads, std::move(old));
   std::vector<double> half_reach(grid.positions().size());
   for_each_row(half_reach.size(), threads, [&](std::size_t i) { half_reach[i] = 0.5 * (1.0 + skin) * h.support(i); });
-  return ListBuilder<Dim>(grid, half_reach, threads).build(std::move(old));
+  return ListBuilder<Dim>(grid, half_reach, support, threads).build(std::move(old));
 }
 
 #define SPHVERIFY_INSTANTIATE(Dim)                                                                  \
   template NeighbourList find_neighbours(CellGrid<Dim> const&, int, NeighbourList);                 \
   template NeighbourList find_neighbours(CellGrid<Dim> const&, SmoothingLength const&, double, int, \
-                                         NeighbourList);
+                                         NeighbourList, PairSupport);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

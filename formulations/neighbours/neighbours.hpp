@@ -7,6 +7,7 @@
 
 #include "formulations/neighbours/cell_grid.hpp"
 #include "formulations/basics/large_array.hpp"
+#include "formulations/neighbours/pair_support.hpp"
 #include "formulations/particles/smoothing_length.hpp"
 
 namespace sphverify {
@@ -45,10 +46,10 @@ inline bool has_offsets(NeighbourList const& list, int dimension) {
 template <int Dim>
 NeighbourList find_neighbours(CellGrid<Dim> const& grid, int threads = 1, NeighbourList old = {});
 
-/// The pairs closer than the support of their own smoothing length, times 1 + skin. Expects the grid's reach
-/// to hold the largest. Throws std::invalid_argument when two particles are at the same place.
+/// The pairs closer than the support of their own smoothing length, by their mean or the larger of the two, times 1 + skin.
+/// Expects the grid's reach to hold the largest. Throws std::invalid_argument when two particles are at the same place.
 template <int Dim>
 NeighbourList find_neighbours(CellGrid<Dim> const& grid, SmoothingLength const& h, double skin = 0.0,
-                              int threads = 1, NeighbourList old = {});
+                              int threads = 1, NeighbourList old = {}, PairSupport support = PairSupport::mean);
 
 }  // namespace sphverify

@@ -22,6 +22,7 @@ enum class Field {
   heating,
   sound_speed,
   density_rate,
+  omega,  ///< how the density answers where h follows it (density/grad_h.hpp)
   // What a scheme's first passes write that has no name above; each scheme means something of its own by them.
   pass_number,
   pass_number_2,
@@ -44,7 +45,7 @@ struct FieldInfo {
   }
 };
 
-inline constexpr std::array<FieldInfo, 17> field_infos{{
+inline constexpr std::array<FieldInfo, 18> field_infos{{
     {Field::position, "position", true, "m"},
     {Field::mass, "mass", false, "kg"},
     {Field::density, "density", false, "kg/m^3"},
@@ -58,6 +59,7 @@ inline constexpr std::array<FieldInfo, 17> field_infos{{
     {Field::heating, "heating", false, "W/kg"},
     {Field::sound_speed, "sound_speed", false, "m/s"},
     {Field::density_rate, "density_rate", false, "kg/(m^3 s)"},
+    {Field::omega, "omega", false, "1"},
     {Field::pass_number, "pass_number", false, "the scheme's"},
     {Field::pass_number_2, "pass_number_2", false, "the scheme's"},
     {Field::pass_vector, "pass_vector", true, "the scheme's"},

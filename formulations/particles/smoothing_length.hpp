@@ -10,8 +10,9 @@ namespace sphverify {
 /// The smoothing length of particles and pairs, one for all or each particle's own, with the kernel that it
 /// is of. A pair takes the mean of its two, h_ij = (h_i + h_j)/2, so that W_ij = W_ji and grad_i W_ij =
 /// -grad_j W_ij: what the symmetric forms conserve between particles they conserve with either choice. A
-/// summed density gathers with h_i instead, which its h_i can be solved for; there are no terms in grad h, so
-/// that the work is not the derivative of that density where h varies.  [m]
+/// summed density gathers with h_i instead, which its h_i can be solved for. Where h varies the work of these
+/// forms is not the derivative of that density; forms that take either particle's own h (KernelWeight::own_gradients)
+/// have terms in grad h.  [m]
 class SmoothingLength {
  public:
   SmoothingLength(double uniform, Kernel const& kernel) : uniform_(uniform), kernel_(&kernel) {}

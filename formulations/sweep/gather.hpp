@@ -100,12 +100,15 @@ class Gatherer {
         radial_(distance_ + part_size),
         value_(radial_ + part_size),
         offset_(value_ + part_size),
+        radial_i_(own_lengths && plan.wants_own_radial ? offset_ + Dim * part_size : radial_),
+        radial_j_(own_lengths && plan.wants_own_radial ? radial_i_ + part_size : radial_),
         h_(plan.h),
         per_h_(1.0 / plan.h),
         scale_(scale(plan.h)),
         wants_separation_(plan.wants_separation),
         wants_radial_(plan.wants_radial),
-        wants_value_(plan.wants_value) {}
+        wants_value_(plan.wants_value),
+        wants_own_radial_(plan.wants_own_radial) {}
 
   /// @param list particle i's neighbours, or at most part_size of them
   SPHVERIFY_INLINE Row gather(std::size_t i, std::uint32_t const* list, std::size_t count) {
@@ -117,7 +120,7 @@ class Gatherer {
             SPHVERIFY_FORCE_INLINE { add(own, four, k, idle); });
     std::size_t const padded = (count + Pack::size - 1) / Pack::size * Pack::size;
     double const h = own_lengths ? own[plan_.slots.h] : h_;
-    return {plan_.slots, own, columns_, distance_, radial_, value_, offset_, padded, h};
+    return {plan_.slots, own, columns_, distance_, radial_, value_, offset_, radial_i_, radial_j_, padded, h};
   }
 
  private:
@@ -166,8 +169,21 @@ class Gatherer {
         load_stored(plan_.offset[n] + first_ + k, idle).store(offset_ + n * part_size + k);
       return;
     } else {
+      if constexpr (own_lengths) {
+        if (wants_own_radial_) {
+          Pack const h_j = Pack::load(to + static_cast<std::size_t>(plan_.slots.h) * part_size);
+          add_own_slopes(r, own[plan_.slots.h], h_j, k);
+        }
+      }
       add_kernel(r, per_h, k);
     }
+  }
+
+  SPHVERIFY_INLINE void add_own_slopes(Pack r, double h_i, Pack h_j, std::size_t k) {
+    Pack const per_h_i = 1.0 / h_i;
+    Pack const per_h_j = Pack(1.0) / h_j;
+    (Pack(Kernel::sigma) * integer_power<Dim + 2>(per_h_i) * Kernel::slope_shape(r * per_h_i)).store(radial_i_ + k);
+    (Pack(Kernel::sigma) * integer_power<Dim + 2>(per_h_j) * Kernel::slope_shape(r * per_h_j)).store(radial_j_ + k);
   }
 
   SPHVERIFY_INLINE void add_kernel(Pack r, Pack per_h, std::size_t k) {
@@ -185,9 +201,10 @@ class Gatherer {
   double* radial_;
   double* value_;
   double* offset_;
+  double *radial_i_, *radial_j_;
   std::ptrdiff_t first_ = 0;  ///< where in the list a row begins, whose weights are stored
   double h_, per_h_, scale_;
-  bool wants_separation_, wants_radial_, wants_value_;
+  bool wants_separation_, wants_radial_, wants_value_, wants_own_radial_;
 };
 
 /// The sums of all terms of rows begin to end.

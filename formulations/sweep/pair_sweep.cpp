@@ -96,6 +96,7 @@ struct PairSweep<Dim>::Records {
     if (slots.v >= 0) vector(particles.vector(Field::velocity), slots.v);
     if (state_velocity && slots.u >= 0) vector(*state_velocity, slots.u);
     if (slots.F >= 0) vector(particles.vector(Field::flux), slots.F);
+    scalar(Field::omega, slots.omega);
     scalar(Field::pass_number, slots.pass_number);
     scalar(Field::pass_number_2, slots.pass_number_2);
     if (slots.pass_vector >= 0) vector(particles.vector(Field::pass_vector), slots.pass_vector);
@@ -145,6 +146,7 @@ void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel
     expects(has_offsets(neighbours_, Dim));
     wants_offset_ = true;
   }
+  if (kernel.contains(KernelWeight::own_gradients)) wants_own_radial_ = wants_separation_ = true;
   if (kernel.contains(KernelWeight::gradient) || reads.contains(Field::velocity)) wants_separation_ = true;
 }
 
@@ -183,8 +185,9 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .inverse_period = {},
                  .axes = {},
                  .wants_separation = wants_separation_,
-                 .wants_radial = wants_radial_,
+                 .wants_radial = wants_radial_ || (wants_own_radial_ && records.slots.h < 0),
                  .wants_value = wants_value_,
+                 .wants_own_radial = wants_own_radial_,
                  .terms = terms_.data(),
                  .term_count = terms_.size()};
   if (domain_.is_periodic()) plan.wrapping = domain_.is_turned() ? Wrapping::turned : Wrapping::along_axes;

@@ -50,7 +50,7 @@ class PairSweep {
   Domain<Dim> const& domain_;
   int threads_;
   FieldSet reads_;
-  bool wants_radial_ = false, wants_separation_ = false, wants_value_ = false, wants_offset_ = false;
+  bool wants_radial_ = false, wants_separation_ = false, wants_value_ = false, wants_offset_ = false, wants_own_radial_ = false;
   std::vector<RowTerm> terms_;
 };
 

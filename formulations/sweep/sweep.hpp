@@ -19,6 +19,7 @@ struct RecordSlots {
   int v = -1;        ///< velocity with which the particle drifts, `Dim` doubles
   int u = -1;        ///< velocity of the state, which viscosity rubs with; most often the same
   int F = -1;        ///< heat flux, `Dim` doubles
+  int omega = -1;
   int pass_number = -1, pass_number_2 = -1;
   int pass_vector = -1;  ///< `Dim` doubles
   int pass_tensor = -1;  ///< its Dim(Dim + 1)/2 different elements
@@ -53,6 +54,7 @@ constexpr RecordSlots record_slots(FieldSet reads, int dimension, bool own_lengt
     slots.u = drifts ? take(dimension) : slots.v;
   }
   if (reads.contains(Field::flux)) slots.F = take(dimension);
+  if (reads.contains(Field::omega)) slots.omega = take(1);
   if (reads.contains(Field::pass_number)) slots.pass_number = take(1);
   if (reads.contains(Field::pass_number_2)) slots.pass_number_2 = take(1);
   if (reads.contains(Field::pass_vector)) slots.pass_vector = take(dimension);
@@ -74,6 +76,8 @@ struct Row {
   double const* radial;    ///< W'(r)/r; only if some term reads the gradient or this
   double const* value;     ///< W; only if some term reads it
   double const* offset;    ///< component n of neighbour k's is offset[n * part_size + k]; only if some term reads it
+  double const* radial_i;  ///< W'(r)/r with the particle's own h; only if some term reads the gradients of both
+  double const* radial_j;  ///< the same with the neighbour's h; where all have one h both are `radial`
   std::size_t count;       ///< neighbours, filled up to whole packs with ones out of reach
   double h;                ///< the particle's own smoothing length [m]
 };
@@ -113,6 +117,7 @@ struct SweepPlan {
   bool wants_separation;
   bool wants_radial;
   bool wants_value;
+  bool wants_own_radial;  ///< with the h of each, where slots.h >= 0
   RowTerm const* terms;
   std::size_t term_count;
 };
@@ -159,6 +164,6 @@ struct SweepKernels {
 };
 
 /// Doubles of scratch memory that a plan's rows need.
-constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 7) * part_size; }
+constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 9) * part_size; }
 
 }  // namespace sphverify

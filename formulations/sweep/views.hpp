@@ -58,6 +58,11 @@ class View {
   {
     return vector(slots_.F);
   }
+  SPHVERIFY_INLINE Pack Omega() const
+    requires(reads.contains(Field::omega))
+  {
+    return read_(slots_.omega);
+  }
   SPHVERIFY_INLINE Pack pass_number() const
     requires(reads.contains(Field::pass_number))
   {
@@ -139,6 +144,12 @@ class KernelColumns {
     for (int d = 0; d < Dim; ++d) value.component[d] = Pack::load(row_.offset + static_cast<std::size_t>(d) * part_size + k_);
     return value;
   }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient_i() const {  ///< grad_i W(r_ij, h_i)
+    return {Pack::load(row_.radial_i + k_), separation()};
+  }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient_j() const {  ///< grad_i W(r_ij, h_j)
+    return {Pack::load(row_.radial_j + k_), separation()};
+  }
   SPHVERIFY_INLINE Pack h() const {                                                         ///< of the pair
     if (row_.slots.h < 0) return row_.h;
     return Pack(0.5) * (Pack(row_.h) + ReadColumns{row_.columns + k_}(row_.slots.h));
@@ -167,6 +178,8 @@ struct KernelRegisters {
   SPHVERIFY_INLINE PackVector<Dim> separation() const { return r; }
   SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
   SPHVERIFY_INLINE PackVector<Dim> offset() const { return face; }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient_i() const { return gradient(); }
+  SPHVERIFY_INLINE RadialVector<Dim> gradient_j() const { return gradient(); }
   SPHVERIFY_INLINE Pack h() const { return common_h; }
   SPHVERIFY_INLINE double own_h() const { return common_h; }
 };
@@ -204,6 +217,16 @@ class DeclaredKernel {
     requires(weights.contains(KernelWeight::face_offset))
   {
     return all_.offset();
+  }
+  SPHVERIFY_INLINE auto gradient_i() const
+    requires(weights.contains(KernelWeight::own_gradients))
+  {
+    return all_.gradient_i();
+  }
+  SPHVERIFY_INLINE auto gradient_j() const
+    requires(weights.contains(KernelWeight::own_gradients))
+  {
+    return all_.gradient_j();
   }
 
  private:

@@ -12,7 +12,7 @@ namespace sphverify {
 template <int Dim>
 struct FieldPointers {
   double const *m = nullptr, *rho = nullptr, *P = nullptr, *T = nullptr, *K = nullptr;
-  double const* c = nullptr;
+  double const *c = nullptr, *omega = nullptr;
   double const *pass_number = nullptr, *pass_number_2 = nullptr;
   std::array<double const*, Dim> v{}, F{}, pass_vector{};
   TensorField<Dim> const* pass_tensor = nullptr;
@@ -28,6 +28,7 @@ struct FieldPointers {
     T = scalar(Field::temperature);
     K = scalar(Field::conductivity);
     c = scalar(Field::sound_speed);
+    omega = scalar(Field::omega);
     pass_number = scalar(Field::pass_number);
     pass_number_2 = scalar(Field::pass_number_2);
     if (particles.has(Field::pass_tensor)) pass_tensor = &particles.tensor(Field::pass_tensor);
@@ -96,6 +97,11 @@ class ParticleView {
     requires(reads.contains(Field::flux))
   {
     return gather(f_->F);
+  }
+  double Omega() const
+    requires(reads.contains(Field::omega))
+  {
+    return f_->omega[i_];
   }
   double pass_number() const
     requires(reads.contains(Field::pass_number))

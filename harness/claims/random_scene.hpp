@@ -81,7 +81,8 @@ std::vector<Wall<Dim>> sides_of(Vector<Dim> const& lower, Vector<Dim> const& upp
 inline constexpr FieldSet all_fields{Field::position,     Field::mass,         Field::density,
                                      Field::velocity,     Field::pressure,     Field::internal_energy,
                                      Field::temperature,  Field::conductivity, Field::flux,
-                                     Field::acceleration, Field::heating,      Field::sound_speed};
+                                     Field::acceleration, Field::heating,      Field::sound_speed,
+                                     Field::omega};
 
 /// Lets a wall prescribe values that vary along it and with time; positive but for velocity and flux.
 template <int Dim>
@@ -128,6 +129,8 @@ void randomise_fields(Particles<Dim>& particles, Random& random) {
   }
   Random of_sound(17);  // by itself, so that other fields are what they were without it
   for (double& c : particles.scalar(Field::sound_speed)) c = of_sound.uniform(0.3, 2.0);
+  Random of_omega(19);  // likewise
+  for (double& omega : particles.scalar(Field::omega)) omega = of_omega.uniform(0.7, 1.4);
 }
 
 /// Particles at random places of the unit box between two walls of random orientation (so that in more than
@@ -185,6 +188,7 @@ RandomScene<Dim> lattice_scene(int side, double spacing, double smoothing_ratio)
     scene.particles.positions().set(i, x);
     scene.particles.masses()[i] = std::pow(spacing, Dim);
     scene.particles.scalar(Field::density)[i] = 1.0;
+    scene.particles.scalar(Field::omega)[i] = 1.0;
   }
   return scene;
 }
@@ -223,13 +227,13 @@ RandomScene<Dim> transformed(RandomScene<Dim> scene, Matrix<Dim> const& turn, Ve
 
 /// Neighbours and wall contacts, by the particles' own smoothing lengths where they have such.
 template <int Dim>
-PairGeometry<Dim> geometry_of(RandomScene<Dim> const& scene, bool with_walls = true) {
+PairGeometry<Dim> geometry_of(RandomScene<Dim> const& scene, bool with_walls = true, PairSupport support = PairSupport::mean) {
   SmoothingLength const h(scene.particles);
   CellGrid<Dim> const grid(scene.particles.positions(), scene.domain,
                            h.kernel().support_ratio() * h.largest());
   PairGeometry<Dim> geometry;
   geometry.domain = scene.domain;
-  geometry.neighbours = find_neighbours(grid, h);
+  geometry.neighbours = find_neighbours(grid, h, 0.0, 1, {}, support);
   geometry.walls = scene.walls;
   for (std::size_t w = 0; with_walls && w < scene.walls.size(); ++w) {
     geometry.contacts.push_back(

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "formulations/basics/finite.hpp"
+#include "formulations/density/grad_h.hpp"
 #include "formulations/rate_operator.hpp"
 #include "formulations/walls/finite_face.hpp"
 #include "harness/evaluate/enclosure.hpp"
@@ -171,6 +172,21 @@ Json viscous_rates(State<Dim>& state, PairGeometry<Dim>& geometry) {
   return {{"acceleration", list(rates.acceleration)}, {"heating", rates.heating}};
 }
 
+/// How densities answer to smoothing lengths that follow them: not at all where there is one h for all.
+template <int Dim>
+void set_omega(State<Dim>& state, CellGrid<Dim> const& grid) {
+  Particles<Dim>& particles = state.particles;
+  SmoothingLength const h(particles);
+  bool const normalised = state.density_rule == DensityRule::normalised;
+  if (!h.is_uniform() && !normalised && state.density_rule != DensityRule::summation) return;
+  particles.allocate(Field::omega);
+  particles.scalar(Field::omega).assign(particles.size(), 1.0);
+  if (h.is_uniform()) return;
+  std::vector<Wall<Dim>> const none;
+  particles.scalar(Field::omega) =
+      grad_h_terms(grid, h, particles.masses(), particles.scalar(Field::density), normalised ? state.walls : none, 1);
+}
+
 /// What an ideal gas has beside what the state gives, once its density is known.
 template <int Dim>
 void complete_gas(State<Dim>& state) {
@@ -195,6 +211,8 @@ template <int Dim>
 std::string missing_field(SchemeInfo const& scheme, State<Dim> const& state) {
   for (FieldInfo const& field : field_infos) {
     if (fields_read(scheme).contains(field.field) && !state.particles.has(field.field)) {
+      if (field.field == Field::omega)
+        return "how the density answers to each particle's h is known of summation and normalised only";
       return fmt::format("the state gives no {}", field.name);
     }
   }
@@ -230,6 +248,7 @@ Json evaluate_in_dimension(Node const& document, std::set<std::string> const& on
         density[i] /= kernel_inside(particles.positions()[i], state.walls, h(i), kernel);
       }
     }
+    set_omega(state, grid);
     geometry.walls = state.walls;
     if (by_kernel) {
       for (Wall<Dim> const& wall : state.walls)

@@ -221,7 +221,7 @@ State<Dim> read_state(Node const& document) {
   std::vector<std::string> keys{"smoothing_length", "file", "format", "map", "array"};
   for (FieldInfo const& field : field_infos) {
     constexpr FieldSet computed{Field::acceleration, Field::heating, Field::flux, Field::sound_speed,
-                                Field::density_rate};
+                                Field::density_rate, Field::omega};
     if (!computed.contains(field.field) && !pass_fields.contains(field.field)) keys.emplace_back(field.name);
   }
   node.require_keys(keys);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "formulations/basics/parallel.hpp"
+#include "formulations/density/grad_h.hpp"
 #include "formulations/density/self_consistent_smoothing.hpp"
 #include "harness/scene/list_skin.hpp"
 
@@ -67,6 +68,7 @@ void MovingGeometry<Dim>::follow(Particles<Dim>& particles, std::vector<Wall<Dim
     grid_.emplace(particles.positions(), geometry_.domain, h.kernel().support_ratio() * h.largest(), choice_.threads);
   }
   if (sums_density()) set_density(particles, *grid_, all_walls);
+  if (particles.has(Field::omega)) set_omega(particles, *grid_, all_walls);
   if (!walls.empty()) ++passes_["wall-contacts"];
   geometry_.walls = walls;
   if (weighs_by_kernel()) {
@@ -112,8 +114,9 @@ void MovingGeometry<Dim>::follow_list(Particles<Dim> const& particles) {
 
 /// By how much, in half supports, places and smoothing lengths have changed since the list was found. With
 /// s_i the half of a support it holds every pair that was closer than (1 + skin)(s_i + s_j), and a pair is
-/// now closer than s_i + s_j only if it was closer than that plus what both have moved. Infinite where a
-/// place is not a number.
+/// now closer than s_i + s_j only if it was closer than that plus what both have moved. Where the larger of
+/// two supports counts it holds those that were closer than (1 + skin) times that, and what the one with the
+/// larger moved counts with what anybody has. Infinite where a place is not a number.
 template <int Dim>
 double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
   SmoothingLength const h(particles);
@@ -142,8 +145,23 @@ double MovingGeometry<Dim>::skin_used(Particles<Dim> const& particles) const {
         return part;
       },
       join);
+  double used = most.used;
+  if (choice_.support == PairSupport::larger) {
+    used = std::max(used, joined_blocks(
+                              particles.size(), choice_.threads, 0.0,
+                              [&](std::size_t begin, std::size_t end) {
+                                double part = 0.0;
+                                for (std::size_t i = begin; i < end; ++i) {
+                                  double const moved = geometry_.domain.nearest_image(particles.positions()[i] - found_at_[i]).norm();
+                                  double const with = h.is_uniform() ? found_with_.front() : found_with_[i];
+                                  part = std::max(part, (h(i) + (moved + most.far) / support_ratio) / with - 1.0);
+                                }
+                                return part;
+                              },
+                              [](double& all, double part) { all = std::max(all, part); }));
+  }
   // The grid is asked for all within the largest support, whoever has moved.
-  return std::max(most.used, (most.now + most.far / support_ratio) / most.found_with - 1.0);
+  return std::max(used, (most.now + most.far / support_ratio) / most.found_with - 1.0);
 }
 
 template <int Dim>
@@ -162,7 +180,7 @@ void MovingGeometry<Dim>::find_list(Particles<Dim> const& particles, double skin
   geometry_.neighbours.neighbour.clear();
   grid_.reset();
   CellGrid<Dim> const grid(particles.positions(), geometry_.domain, reach, choice_.threads);
-  geometry_.neighbours = find_neighbours(grid, h, skin_, choice_.threads, std::move(old));
+  geometry_.neighbours = find_neighbours(grid, h, skin_, choice_.threads, std::move(old), choice_.support);
   grid_.emplace(grid);
   found_with_.assign(h.is_uniform() ? 1 : particles.size(), particles.smoothing_length());
   if (!h.is_uniform()) {
@@ -190,6 +208,21 @@ void MovingGeometry<Dim>::set_density(Particles<Dim>& particles, CellGrid<Dim> c
     density[i] /= kernel_inside(particles.positions()[i], walls, h(i), h.kernel());
   });
   ++passes_["density-normalisation"];
+}
+
+/// 1 where smoothing lengths stay; else of the summed density that they follow, and no number where it is not summed.
+template <int Dim>
+void MovingGeometry<Dim>::set_omega(Particles<Dim>& particles, CellGrid<Dim> const& grid,
+                                    std::vector<Wall<Dim>> const& walls) {
+  if (!choice_.adaptive || !sums_density()) {
+    particles.scalar(Field::omega).assign(particles.size(), choice_.adaptive ? std::numeric_limits<double>::quiet_NaN() : 1.0);
+    return;
+  }
+  std::vector<Wall<Dim>> const none;
+  std::vector<Wall<Dim>> const& normalised_by = choice_.density == DensityRule::normalised ? walls : none;
+  particles.scalar(Field::omega) = grad_h_terms(grid, SmoothingLength(particles), particles.masses(),
+                                                particles.scalar(Field::density), normalised_by, choice_.threads);
+  ++passes_["grad-h"];
 }
 
 /// h_i = (h/dx) (m_i/rho_i)^(1/Dim), with the densities that are there.

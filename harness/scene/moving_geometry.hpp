@@ -28,12 +28,13 @@ class MovingGeometry {
     WallTreatmentPart const* behind_walls = nullptr;  ///< what stands behind them; null: nothing
     double spacing = 0.0;                             ///< of the layout, for those [m]
     bool face_offsets = false;                        ///< whether a form reads where faces have their centroids
+    PairSupport support = PairSupport::mean;          ///< which pairs the formulation sees
   };
 
   MovingGeometry(Domain<Dim> const& domain, Choice const& choice);
 
   /// Follows the particles, whose `positions` must stay the same object. Writes their densities, unless these
-  /// obey the continuity equation, and smoothing lengths.
+  /// obey the continuity equation, smoothing lengths, and omega where they have it.
   /// @param walls empty without wall terms
   /// @param all_walls of the scene, which bound the gas whether they push it or not
   /// Throws std::invalid_argument when the places make no sense.
@@ -55,6 +56,7 @@ class MovingGeometry {
   void follow_list(Particles<Dim> const& particles);
   void find_list(Particles<Dim> const& particles, double skin);
   void set_density(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);
+  void set_omega(Particles<Dim>& particles, CellGrid<Dim> const& grid, std::vector<Wall<Dim>> const& walls);
   void set_smoothing_length(Particles<Dim>& particles);
   void solve_smoothing_length(Particles<Dim>& particles, std::vector<Wall<Dim>> const& walls);
 

@@ -24,6 +24,15 @@ std::unique_ptr<RateOperator<Dim>> operator_if_named(std::string const& id) {
   return id.empty() ? nullptr : make_rate_operator<Dim>(id);
 }
 
+/// Which pairs some of them need.
+template <int Dim>
+PairSupport widest_support(std::initializer_list<RateOperator<Dim> const*> operators) {
+  bool const larger = std::any_of(operators.begin(), operators.end(), [](RateOperator<Dim> const* one) {
+    return one && pair_support(one->info()) == PairSupport::larger;
+  });
+  return larger ? PairSupport::larger : PairSupport::mean;
+}
+
 }  // namespace
 
 template <int Dim>
@@ -49,7 +58,9 @@ MovingScene<Dim>::MovingScene(Problem<Dim> problem, SceneChoice const& choice)
                                   .pair_weight = pair_weight_words.value(choice.discretisation.pair_weight),
                                   .behind_walls = find_wall_treatment(choice.walls.word),
                                   .spacing = spacing_of(problem_.domain, choice.discretisation.layout, choice.resolution),
-                                  .face_offsets = read_face_offsets()}) {
+                                  .face_offsets = read_face_offsets(),
+                                  .support = widest_support<Dim>({momentum_operator_.get(), work_operator_.get(),
+                                                                  conduction_operator_.get()})}) {
   if (has_continuity()) continuity_operator_ = make_continuity_operator<Dim>();
   for (std::size_t w = 0; w < walls_.size(); ++w) {
     Wall<Dim>& wall = walls_[w];

@@ -55,13 +55,16 @@ std::string lacks(CaseInfo const& info, AnyProblem const& problem, std::string c
   SchemeInfo const* const scheme = find_scheme(formulation);
   if (!scheme) return "";
   constexpr FieldSet always{Field::position, Field::mass, Field::density};
-  constexpr FieldSet of_gas{Field::velocity, Field::pressure, Field::internal_energy, Field::sound_speed, Field::temperature};
+  constexpr FieldSet of_gas{Field::velocity,    Field::pressure,    Field::internal_energy,
+                            Field::sound_speed, Field::temperature, Field::omega};
   return std::visit(
       [&](auto const& p) -> std::string {
         for (FieldInfo const& field : field_infos) {
           if (!fields_read(*scheme).contains(field.field) || always.contains(field.field) ||
               scheme->first_passes.writes().contains(field.field))
             continue;
+          if (field.field == Field::omega && !moves(info.kind))
+            return formulation + " has grad-h terms: particles at rest have one h for all";
           bool const is_known = field.field == Field::conductivity ? static_cast<bool>(p.conductivity)
                                 : moves(info.kind)                 ? of_gas.contains(field.field)
                                                    : p.scalars.contains(field.field) || p.vectors.contains(field.field);
@@ -90,6 +93,20 @@ std::string without_faces(std::string const& id, Discretisation const& d, bool m
   if (!scheme || !reads_face_offsets(*scheme)) return "";
   if (d.pair_weight == "kernel") return fmt::format("{} {}", id, why_no_kernel_weights(*scheme));
   return moving && d.density != "voronoi" ? fmt::format("{} works on the volumes of cells: take density voronoi, not {}", id, d.density) : "";
+}
+
+/// Why a form with terms in grad h cannot take a discretisation; empty if it can, or has none.
+std::string without_grad_h(FormulationChoice const& formulation, Discretisation const& d) {
+  for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
+    SchemeInfo const* const scheme = find_scheme(id);
+    if (!scheme || !fields_read(*scheme).contains(Field::omega)) continue;
+    if (d.smoothing != "adaptive")
+      return id + " is for adaptive smoothing: with one h for all it is the form without grad-h terms";
+    if (d.density != "summation" && d.density != "normalised")
+      return fmt::format("{} knows how a density answers to its h where it is summed: instead of {} take summation or normalised",
+                         id, d.density);
+  }
+  return "";
 }
 
 bool brings_weights(std::string const& id) {
@@ -174,6 +191,7 @@ std::string repeats(Study const& study, CaseInfo const& scene_case, AnyProblem c
   for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
     if (std::string reason = without_faces(id, d, moving); !reason.empty()) return reason;
   }
+  if (std::string reason = without_grad_h(formulation, d); !reason.empty()) return reason;
   if (brings_weights(formulation.id) && d.face_weight != study.face_weights.front())
     return fmt::format("face weight {} changes nothing in {}, which weighs foot points by least squares", d.face_weight, formulation.id);
   if (std::string reason = without_wall_particles(problem, formulation, d); !reason.empty()) return reason;

@@ -14,6 +14,7 @@ FORMULATIONS = {
     "momentum/p-rho2", "momentum/sqrt-p", "momentum/direct-gradient", "work/total-energy", "work/internal-energy",
     "work/sqrt-p", "momentum/gdsph", "work/gdsph", "momentum/pressure-energy", "work/pressure-energy", "momentum/rkgc",
     "work/rkgc", "conduction/brookshaw", "conduction/lucy-flux", "conduction/campbell-flux",
+    "momentum/p-rho2-grad-h", "work/p-rho2-grad-h",
 }  # fmt: skip
 FIVE_THIRDS = "1.6666666666666667"
 PISTON = {

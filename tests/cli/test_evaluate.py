@@ -139,6 +139,28 @@ class InputAndOutput(ProgramTest):
         self.assertNotIn(None, flat(rates["momentum/p-rho2"]["acceleration"]))
 
 
+    def test_grad_h_terms_want_a_density_that_is_summed_where_each_particle_has_its_own_h(self):
+        form, partner = "momentum/p-rho2-grad-h", "work/p-rho2-grad-h"
+        rates = strict_json(self.expected)["rates"]  # one h for all
+        largest = max(map(abs, flat(rates["momentum/p-rho2"]["acceleration"])))
+        for found, expected in zip(flat(rates[form]["acceleration"]), flat(rates["momentum/p-rho2"]["acceleration"])):
+            self.assertAlmostEqual(found, expected, delta=1e-12 * largest)
+        particles = self.state["particles"]
+        h = particles["smoothing_length"]
+        particles["smoothing_length"] = [h * (1 + 0.1 * (n % 3)) for n in range(len(particles["position"]))]
+        given = strict_json(self.succeed("evaluate", "-", text=json.dumps(self.state)))
+        for density in ("summation", "normalised"):
+            particles["density"] = density
+            summed = strict_json(self.succeed("evaluate", "-", text=json.dumps(self.state)))
+            self.assertEqual(summed["left_out"], {})
+            differs = [abs(a - b) for a, b in zip(flat(summed["rates"][form]["acceleration"]),
+                                                   flat(summed["rates"]["momentum/p-rho2"]["acceleration"]))]  # fmt: skip
+            self.assertGreater(max(differs), 1e-3 * largest)
+        for one in (form, partner, form + "-no-walls"):
+            self.assertIn("summation and normalised only", given["left_out"][one])
+            self.assertNotIn(one, given["rates"])
+
+
 class Example(ProgramTest):
     def test_the_example_gives_every_rate_and_those_in_the_middle_are_those_of_its_fields(self):
         path = SOURCE_DIR / "examples" / "state.json"

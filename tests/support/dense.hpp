@@ -150,6 +150,7 @@ class State {
   double m(std::size_t i) const { return s_->particles.masses()[i]; }
   double rho(std::size_t i) const { return s_->particles.scalar(Field::density)[i]; }
   double P(std::size_t i) const { return s_->particles.scalar(Field::pressure)[i]; }
+  double Omega(std::size_t i) const { return s_->particles.scalar(Field::omega)[i]; }
   double T(std::size_t i) const { return s_->particles.scalar(Field::temperature)[i]; }
   double K(std::size_t i) const { return s_->particles.scalar(Field::conductivity)[i]; }
   Vector<Dim> v(std::size_t i) const { return s_->particles.vector(Field::velocity)[i]; }

@@ -26,6 +26,16 @@ constexpr bool reads_velocity = requires(View const& i) { i.v(); };
 template <class View>
 constexpr bool reads_mass = requires(View const& i) { i.m(); };
 
+template <class View>
+constexpr bool reads_omega = requires(View const& i) { i.Omega(); };
+template <class Kernel>
+constexpr bool has_gradient = requires(Kernel const& W) { W.gradient(); };
+template <class Kernel>
+constexpr bool has_own_gradients = requires(Kernel const& W) {
+  W.gradient_i();
+  W.gradient_j();
+};
+
 template <FieldSet fields>
 using InPacks = undeclared_reads_test::View<2, fields, undeclared_reads_test::ReadOwn>;
 
@@ -36,6 +46,18 @@ BOOST_AUTO_TEST_CASE(a_view_of_a_particle_has_what_is_declared_and_nothing_else)
   using OfWall = ParticleView<2, density_and_flux>;
   BOOST_TEST((reads_density<OfWall> && reads_flux<OfWall>));
   BOOST_TEST(!(reads_temperature<OfWall> || reads_velocity<OfWall> || reads_mass<OfWall>));
+}
+
+BOOST_AUTO_TEST_CASE(a_kernel_has_the_gradients_that_are_declared) {
+  using undeclared_reads_test::DeclaredKernel;
+  using Columns = undeclared_reads_test::KernelColumns<2>;
+  using Usual = DeclaredKernel<KernelWeightSet{KernelWeight::gradient}, Columns>;
+  using Own = DeclaredKernel<KernelWeightSet{KernelWeight::own_gradients}, Columns>;
+  BOOST_TEST((has_gradient<Usual> && !has_own_gradients<Usual>));
+  BOOST_TEST((has_own_gradients<Own> && !has_gradient<Own>));
+  using WithOmega = InPacks<FieldSet{Field::omega}>;
+  BOOST_TEST((reads_omega<WithOmega> && !reads_omega<InPacks<density_and_flux>>));
+  BOOST_TEST((reads_omega<ParticleView<2, FieldSet{Field::omega}>> && !reads_omega<ParticleView<2, density_and_flux>>));
 }
 
 BOOST_AUTO_TEST_CASE(a_view_of_a_wall_has_its_density_and_what_is_declared) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "tests/support/random_particles.hpp"
@@ -55,10 +56,13 @@ struct Crowd {
     for (std::size_t i = 0; i < half_reach.size(); ++i)
       number.push_back(static_cast<std::uint32_t>(1000 - 3 * i));
   }
-  SortedPlaces view(bool own_reach) const {
-    SortedPlaces all{.x = {}, .half_reach = own_reach ? half_reach.data() : nullptr, .number = number.data()};
+  SortedPlaces view(bool own_reach, PairSupport support) const {
+    SortedPlaces all{.x = {}, .half_reach = own_reach ? half_reach.data() : nullptr, .number = number.data(), .support = support};
     for (int k = 0; k < Dim; ++k) all.x[k] = x[k].data();
     return all;
+  }
+  double own_reach(std::size_t i, std::size_t j, PairSupport support) const {
+    return support == PairSupport::mean ? half_reach[i] + half_reach[j] : 2.0 * std::max(half_reach[i], half_reach[j]);
   }
   double distance(std::size_t i, std::size_t j, Vector<Dim> const& shift) const {
     Vector<Dim> r;
@@ -108,10 +112,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_instruction_sets_find_and_list_those_that_are_
   using Crowd = Crowd<Dim>;
   Vector<3> const far_shift(0.3, -0.2, 0.1);
   for (ListKernels const* kernels : all_kernels<Dim>()) {
-    for (bool const own_reach : {false, true}) {
+    for (auto const& [own_reach, support] :
+         {std::pair{false, PairSupport::mean}, std::pair{true, PairSupport::mean}, std::pair{true, PairSupport::larger}}) {
       for (std::size_t const count : {11u, 12u, 16u, 19u, 300u}) {
         Crowd const crowd(count);
-        SortedPlaces const all = crowd.view(own_reach);
+        SortedPlaces const all = crowd.view(own_reach, support);
         HomeBox const home = unit_home<Dim>(Crowd::reach, 0.5f);
         Room room(2 * count + 8 * candidates_at_a_time);
         double const none[3] = {};
@@ -133,7 +138,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(all_instruction_sets_find_and_list_those_that_are_
               Vector<Dim> const shift =
                   image == 0 ? Vector<Dim>::Zero().eval() : far_shift.head<Dim>().eval();
               double const distance = crowd.distance(i, j, shift);
-              double const reach = own_reach ? crowd.half_reach[i] + crowd.half_reach[j] : Crowd::reach;
+              double const reach = own_reach ? crowd.own_reach(i, j, support) : Crowd::reach;
               if (distance < reach) expected.push_back(crowd.number[j]);
               expect_same_place = expect_same_place || distance == 0.0;
             }

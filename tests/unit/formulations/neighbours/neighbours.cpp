@@ -137,6 +137,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(own_reaches_and_a_skin_widen_every_pair_s_support,
         return half_support * (1.0 + skin) * (h(i) + h(j));
       };
       BOOST_TEST(is_brute_force(list, c, reach), "skin " << skin << ", box " << static_cast<int>(box));
+      auto const larger = [&](std::size_t i, std::size_t j) {
+        return 2.0 * half_support * (1.0 + skin) * std::max(h(i), h(j));
+      };
+      BOOST_TEST(is_brute_force(find_neighbours(grid, h, skin, 1, {}, PairSupport::larger), c, larger),
+                 "larger, skin " << skin << ", box " << static_cast<int>(box));
       NeighbourList const common = find_neighbours(grid, SmoothingLength(0.1, default_kernel(Dim)), skin);
       auto const grid_s = [&](std::size_t, std::size_t) { return grid.reach(); };
       BOOST_TEST(is_brute_force(common, c, grid_s));  // where all have one length the grid's reach holds

@@ -2,6 +2,7 @@
 
 #include <boost/test/unit_test.hpp>
 #include <limits>
+#include <utility>
 
 #include "formulations/kernels/cubic_spline.hpp"
 #include "harness/scene/list_skin.hpp"
@@ -24,9 +25,15 @@ struct Gas {
   typename MovingGeometry<Dim>::Choice choice;
   MovingGeometry<Dim> geometry;
 
-  Gas(bool walls, DensityRule density, bool adaptive = false, double smoothing_ratio = 1.2, int threads = 1)
+  Gas(bool walls, DensityRule density, bool adaptive = false, double smoothing_ratio = 1.2, int threads = 1,
+      PairSupport support = PairSupport::mean)
       : scene(lattice_scene<Dim>(side, spacing, smoothing_ratio)),
-        choice{density, FaceWeight::exact, adaptive, smoothing_ratio, threads},
+        choice{.density = density,
+               .face_weight = FaceWeight::exact,
+               .adaptive = adaptive,
+               .smoothing_ratio = smoothing_ratio,
+               .threads = threads,
+               .support = support},
         geometry(box(scene.domain, walls), choice) {
     scene.domain = box(scene.domain, walls);
     Random random(1);
@@ -123,7 +130,12 @@ struct Gas {
       worst =
           std::max(worst, relative_difference(kept.contacts[w].face_weight, renewed.contacts[w].face_weight));
     }
-    for (std::string_view const id : {"momentum/p-rho2", "work/internal-energy", "conduction/brookshaw"}) {
+    std::vector<std::string_view> ids{"momentum/p-rho2", "work/internal-energy", "conduction/brookshaw"};
+    if (choice.support == PairSupport::larger) {
+      ids.insert(ids.end(), {"momentum/p-rho2-grad-h", "work/p-rho2-grad-h"});
+      worst = std::max(worst, relative_difference(scene.particles.scalar(Field::omega), particles.scalar(Field::omega)));
+    }
+    for (std::string_view const id : ids) {
       worst = std::max(worst,
                        relative_difference(rates(id, scene.particles, kept), rates(id, particles, renewed)));
     }
@@ -280,6 +292,51 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_renew_the_list_when_they_out
   BOOST_TEST(gas.searches() == 3u);
 }
 
+// One particle's support grows, all others' shrink while they come nearer: neither alone is more than the skin, what both
+// do to their distance is.
+BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_within_the_larger_support_are_in_the_list_whoever_moved, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (double const part_of_skin : {0.2, 0.5, 0.9}) {
+    Gas<Dim> gas(false, DensityRule::continuity, true, 1.2, 1, PairSupport::larger);
+    double const change = part_of_skin * gas.follow_until_own_skin();
+    auto& p = gas.scene.particles;
+    auto& x = p.positions();
+    std::vector<double> const h = p.smoothing_lengths();
+    std::size_t const middle = x.size() / 2;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      p.scalar(Field::density)[i] /= std::pow(i == middle ? 1.0 + change : 1.0 - change, Dim);
+      if (i == middle) continue;
+      Vector<Dim> const to_middle = x[middle] - x[i];
+      x.add(i, std::min(2.0 * change * h[i], 0.9 * to_middle.norm()) * to_middle.normalized());
+    }
+    gas.follow();
+    NeighbourList const& list = gas.geometry.geometry().neighbours;
+    std::size_t missing = 0, seen_by_one = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+      std::vector<std::uint32_t> const row = sorted_row(list, i);
+      for (std::uint32_t j = 0; j < x.size(); ++j) {
+        double const r = gas.scene.domain.nearest_image(x[i] - x[j]).norm();
+        double const larger = 2.0 * std::max(p.smoothing_lengths()[i], p.smoothing_lengths()[j]);
+        if (j == i || r >= larger) continue;
+        missing += std::binary_search(row.begin(), row.end(), j) ? 0 : 1;
+        seen_by_one += r >= p.smoothing_lengths()[i] + p.smoothing_lengths()[j] ? 1 : 0;
+      }
+    }
+    BOOST_TEST(missing == 0u);
+    BOOST_TEST(seen_by_one > 0u);  // pairs that their mean support would have left out
+  }
+}
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(omega_is_one_where_h_stays_and_no_number_where_the_density_is_no_sum, D, Dimensions) {
+  constexpr int Dim = D::value;
+  Gas<Dim> fixed(false, DensityRule::summation);
+  fixed.follow();
+  for (double const omega : fixed.scene.particles.scalar(Field::omega)) BOOST_TEST(omega == 1.0);
+  Gas<Dim> integrated(false, DensityRule::continuity, true);
+  integrated.follow();
+  for (double const omega : integrated.scene.particles.scalar(Field::omega)) BOOST_TEST(std::isnan(omega));
+}
+
 // A leapfrog step begins where the one before it ended.
 BOOST_AUTO_TEST_CASE_TEMPLATE(to_look_twice_at_one_place_is_no_movement, D, Dimensions) {
   constexpr int Dim = D::value;
@@ -300,8 +357,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(to_look_twice_at_one_place_is_no_movement, D, Dime
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(own_smoothing_lengths_that_follow_a_sum_solve_their_equation, D, Dimensions) {
   constexpr int Dim = D::value;
-  for (bool const walls : {false, true}) {
-    Gas<Dim> gas(walls, DensityRule::normalised, true);
+  for (auto const& [walls, support] : {std::pair{false, PairSupport::mean}, std::pair{true, PairSupport::mean},
+                                       std::pair{false, PairSupport::larger}, std::pair{true, PairSupport::larger}}) {
+    Gas<Dim> gas(walls, DensityRule::normalised, true, 1.2, 1, support);
     gas.follow();
     for (std::uint64_t n = 1; n <= 4; ++n) {
       gas.move(0.002 * gas.h(), n);

@@ -1,5 +1,6 @@
 #include "harness/study/expand.hpp"
 
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 #include <cmath>
 #include <set>
@@ -257,6 +258,34 @@ BOOST_AUTO_TEST_CASE(wall_motions_are_compared_only_where_a_wall_goes_with_the_g
   BOOST_TEST(e.runs.size() == 5u * 2u + by_mass);
   BOOST_TEST(is_skipped_for(e, "wall motion mass is for one dimension"));
   BOOST_TEST(is_skipped_for(e, "wall motion mass changes nothing where no wall goes with the gas"));
+}
+
+BOOST_AUTO_TEST_CASE(grad_h_terms_run_where_h_follows_a_density_that_is_summed_and_say_why_not_elsewhere) {
+  Expansion const e = expansion(R"({
+    "cases": ["hydro/riemann", "operator/sine"],
+    "formulations": ["momentum/p-rho2-grad-h", {"id": "momentum/p-rho2", "work": "work/p-rho2-grad-h"}],
+    "discretisation": {"density": ["continuity", "summation", "normalised", "voronoi"], "smoothing": ["uniform", "adaptive"],
+                       "pair_weight": ["kernel", "voronoi"]},
+    "resolution": 20})");
+  BOOST_TEST(e.runs.size() == 4u);  // two formulations, two densities
+  for (RunSpec const& run : e.runs) {
+    BOOST_TEST(run.discretisation.smoothing == "adaptive");
+    BOOST_TEST((run.discretisation.density == "summation" || run.discretisation.density == "normalised"));
+    BOOST_TEST(run.discretisation.pair_weight == "kernel");
+    BOOST_TEST(run.formulation.work == "work/p-rho2-grad-h");
+  }
+  auto const is_said = [&](std::string const& case_id, std::string const& form, std::string const& why) {
+    return std::any_of(e.skipped.begin(), e.skipped.end(), [&](Skipped const& s) {
+      return s.case_id == case_id && s.formulation.find(form) != std::string::npos && s.reason.find(why) != std::string::npos;
+    });
+  };
+  for (char const* form : {"momentum/p-rho2-grad-h", "momentum/p-rho2 + work/p-rho2-grad-h"}) {
+    BOOST_TEST(is_said("hydro/riemann", form, "with one h for all it is the form without grad-h terms"));
+    BOOST_TEST(is_said("hydro/riemann", form, "instead of continuity take summation or normalised"));
+    BOOST_TEST(is_said("hydro/riemann", form, "instead of voronoi take summation or normalised"));
+    BOOST_TEST(is_said("hydro/riemann", form, "pair weight voronoi"));
+  }
+  BOOST_TEST(is_said("operator/sine", "momentum/p-rho2-grad-h", "particles at rest have one h for all"));
 }
 
 BOOST_AUTO_TEST_CASE(a_layout_that_a_dimension_does_not_have_is_skipped_with_its_reason) {

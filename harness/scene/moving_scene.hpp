@@ -116,6 +116,7 @@ class MovingScene {
   void require_order(double time) const;
   double conduction_step(std::size_t i) const;
   double cells_step() const;
+  double viscous_step_of_weights(std::size_t i, double largest_mu) const;
   void find_geometry(double time);
   void set_gas(double time);
   void evaluate_motion(double time, bool drifts);

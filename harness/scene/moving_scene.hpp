@@ -132,6 +132,7 @@ class MovingScene {
   double conduction_step(std::size_t i) const;
   double cells_step() const;
   double largest_approach() const;
+  double viscous_step_of_weights(std::size_t i, double largest_mu) const;
   void find_geometry(double time);
   void set_gas(double time);
   void set_conductivity();

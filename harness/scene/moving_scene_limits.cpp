@@ -49,6 +49,7 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
             double const mu = viscous_.largest_mu[i];
             double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + law.quadratic() * mu; }, viscosity_);
             part.viscosity = std::min(part.viscosity, h(i) / (c[i] + 0.6 * drag));
+            if (!geometry().neighbours.slope.empty()) part.viscosity = std::min(part.viscosity, viscous_step_of_weights(i, mu));
           }
           if (conduction_operator_) part.conduction = std::min(part.conduction, conduction_step(i));
         }
@@ -107,6 +108,32 @@ double MovingScene<Dim>::largest_approach() const {
   sweep.add(sweep_kernels<Dim>(particles_.kernel().id()).approach, {Field::velocity}, {}, rates_of_approach);
   sweep.run(particles_);
   return largest(rates_of_approach);
+}
+
+/// Where pairs have weights of their own, which a smoothing length says nothing of: two over the sum of the rates at which
+/// pairs damp the particle's velocity, m_j |R_ij| r^2 |dPi/dmu| dmu/d(v_ij.r_ij). Twice that sum is Gershgorin's bound.  [s]
+template <int Dim>
+double MovingScene<Dim>::viscous_step_of_weights(std::size_t i, double largest_mu) const {
+  SmoothingLength const h(particles_);
+  auto const& x = particles_.positions();
+  auto const& c = particles_.scalar(Field::sound_speed);
+  auto const& rho = particles_.scalar(Field::density);
+  NeighbourList const& list = geometry().neighbours;
+  double sum = 0.0;
+  for (std::size_t k = list.first[i]; k < list.first[i + 1]; ++k) {
+    std::size_t const j = list.neighbour[k];
+    double const squared = problem_.domain.nearest_image(x[i] - x[j]).squaredNorm();
+    double const sound = 0.5 * (c[i] + c[j]);
+    double const density = 0.5 * (rho[i] + rho[j]);
+    double const per_mu = std::visit(
+        [&]<class Law>(Law const& law) {
+          double const mu = law.pair(-1.0, h(i, j), sound, density, Law::divisor(squared, h(i, j), density)).mu;
+          return (law.linear() * sound + 2.0 * law.quadratic() * largest_mu) * -mu / density;
+        },
+        viscosity_);
+    sum -= particles_.masses()[j] * list.slope[k] * squared * per_mu;
+  }
+  return 2.0 / sum;
 }
 
 /// Three over a bound of the largest frequency about rest of a gas whose energy is that of its cells' volumes. Its square is
@@ -224,6 +251,7 @@ void MovingScene<Dim>::require_order(double time) const {
   template double MovingScene<D>::conduction_step(std::size_t) const;   \
   template double MovingScene<D>::cells_step() const;                   \
   template double MovingScene<D>::largest_approach() const;             \
+  template double MovingScene<D>::viscous_step_of_weights(std::size_t, double) const; \
   template std::string MovingScene<D>::closest_approach() const;        \
   template void MovingScene<D>::require_order(double time) const;
 SPHVERIFY_INSTANTIATE(1)

@@ -24,7 +24,7 @@ class VoronoiGas(ProgramTest):
     def test_a_uniform_gas_rests_between_walls_of_either_kind_on_any_particles(self):
         layouts = ["lattice", {"id": "jittered", "amplitude": 0.45, "seeds": [1], "masses": "voronoi"},
                    {"id": "random", "seeds": [1], "masses": "voronoi"}]  # fmt: skip
-        for dimension, resolution in ((1, 30), (2, 8), (3, 5)):
+        for dimension, resolution in ((1, 20), (2, 6), (3, 4)):
             for boundary in ("pressure", "velocity"):
                 case = {"id": "hydro/uniform", "parameters": {"dimension": dimension, "boundary": boundary, "final_time": 0.02}}
                 results = self.results(case, FORM, resolution, CELLS | {"closure": ["quotient", "one-sided"], "integrator": "leapfrog",
@@ -39,9 +39,8 @@ class VoronoiGas(ProgramTest):
         case = {"id": "hydro/piston-pressure", "parameters": {"final_time": 0.2}}
         for run in self.results(case, FORM, 50, CELLS | {"closure": "one-sided", "smoothing": "adaptive"})["runs"]:
             self.assertEqual(run["status"], "ok")
-            for wall in run["conservation"]["wall_budgets"]:
-                impulse, prescribed = wall["impulse"]["measured"][0], wall["impulse"]["prescribed"][0]
-                self.assertLess(abs(impulse - prescribed), 1e-12)
+            impulse = run["wall_budgets"][0]["impulse"]  # of the wall that prescribes a pressure
+            self.assertLess(abs(impulse["measured"][0] - impulse["prescribed"][0]), 1e-14)
             energy = run["conservation"]["energy"]
             self.assertLess(abs(energy["pair_drift"]), 1e-13)
 

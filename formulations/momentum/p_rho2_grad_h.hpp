@@ -32,7 +32,7 @@ struct PressureOverDensitySquaredGradH {
       .remarks =
           "The gradient of the internal energy at fixed entropies, but for walls. For adaptive smoothing and a density that is "
           "summed: with one h for all it is momentum/p-rho2. Near walls forces are no gradient, a uniform gas is not at rest "
-          "there, and in 1D the wall term jumps one support from a wall by as much as that form's.",
+          "there, and in 1D the wall term jumps one support R from a wall by as much as that form's.",
       .rate = Rate::acceleration,
       .reads = {Field::density, Field::pressure, Field::omega},
       .kernel = {KernelWeight::own_gradients},

@@ -33,7 +33,7 @@ RandomScene<Dim> beside_a_wall(double distance, bool with_flux) {
   scene.particles.masses()[0] = m;
   for (auto const& [field, value] :
        {std::pair{Field::density, rho}, std::pair{Field::pressure, 0.9}, std::pair{Field::conductivity, K},
-        std::pair{Field::temperature, 1.1}, std::pair{Field::internal_energy, 1.0}})
+        std::pair{Field::temperature, 1.1}, std::pair{Field::internal_energy, 1.0}, std::pair{Field::omega, 1.1}})
     scene.particles.scalar(field)[0] = value;
   scene.particles.vector(Field::velocity).set(0, own_velocity * Vector<Dim>::Unit(0));
   Wall<Dim> wall{.point = Vector<Dim>::Zero(), .outward_normal = Vector<Dim>::Unit(0)};
@@ -64,6 +64,7 @@ constexpr double outside = 2.0 * h * (1.0 + 1e-4);
 BOOST_AUTO_TEST_CASE(rates_that_divide_by_the_wall_density_jump_at_2h_and_no_others_do) {
   std::map<std::string_view, double> const jumps{
       {"momentum/p-rho2", -wall_pressure / (2.0 * m)},
+      {"momentum/p-rho2-grad-h", -wall_pressure / (2.0 * m)},
       {"work/internal-energy", wall_pressure * (own_velocity - wall_velocity) / (2.0 * m)},
       {"work/total-energy", -wall_pressure * wall_velocity / (2.0 * m)},
       {"conduction/campbell-flux", -wall_flux / (2.0 * m)}};

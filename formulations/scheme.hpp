@@ -46,6 +46,7 @@ struct PassInfo {
   FieldSet reads;           ///< besides position, mass and what passes before it have written
   KernelWeightSet kernel;   ///< what it reads of the kernel at a pair
   BoundaryValueSet boundary = {};  ///< what it reads at a wall, prescribed or closed
+  bool normalised = false;         ///< it divides by i.Gamma(), which is the kernel's alone
 };
 
 /// The passes before that of the rate, in their order.
@@ -118,6 +119,9 @@ struct SchemeInfo {
   /// What its wall terms give is what crosses the wall. Where they are differences, or weights that are no flux, they are no
   /// more than a part of it: then what crosses a wall is known by the flux that it prescribes alone.
   bool wall_terms_are_exchange = true;
+  /// Of a momentum form: how much of the stress that its wall term pushes with is P_B. The rest is the gas's own pressure, to which
+  /// the gas's own viscous stress belongs.
+  double wall_pressure_share = 0.5;
   bool least_squares = false;   ///< its `W.radial()` are not the kernel's but QuadraticWeights
   bool needs_partners = false;  ///< TooFewPartners where a particle sees too few others, or all of them in one direction
 };
@@ -176,7 +180,10 @@ constexpr bool reads_what_nobody_wrote(SchemeInfo const& scheme) {
 /// All that it reads of the kernel.
 constexpr KernelWeightSet kernel_read(SchemeInfo const& scheme) {
   KernelWeightSet kernel = scheme.kernel;
-  for (PassInfo const& pass : scheme.first_passes) kernel = kernel | pass.kernel;
+  for (PassInfo const& pass : scheme.first_passes) {
+    kernel = kernel | pass.kernel;
+    if (pass.normalised) return "divides by the part of the kernel inside the fluid, which Voronoi pair weights do not have";
+  }
   return kernel;
 }
 

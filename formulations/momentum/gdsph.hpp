@@ -28,7 +28,8 @@ struct GeometricDensity {
       .boundary = {BoundaryValue::pressure},
       .conserves = {Invariant::momentum},
       .work_partner = "work/gdsph",
-      .claims = {.energy_with_partner = true}};
+      .claims = {.energy_with_partner = true},
+      .wall_pressure_share = 1.0};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     return (-j.m() * (i.P() + j.P()) / i.rho() / j.rho() * W.gradient()).eval();

@@ -20,7 +20,8 @@ struct PressureEnergy {
       .equation = "Pbar_i = (1/Gamma_i) sum_j Y_j W_ij, j = i included, Y = m P/rho\n"
                   "a_i = -(Y_i/m_i) [ sum_j Y_j (1/Pbar_i + 1/Pbar_j) grad_i W_ij + (P_B/Pbar_i + 1) S_i ]",
       .remarks = "No surface tension at contacts: pressure is smooth where density and temperature jump. At strong shocks one hot "
-                 "particle is felt by all within its support. Undefined where Pbar is not positive.",
+                 "particle is felt by all within its support; and a wall pushes gas in proportion to its pressure, cold gas not at "
+                 "all but by viscosity. Factors f_ij for adaptive smoothing are left out.",
       .rate = Rate::acceleration,
       .reads = {Field::density, Field::pressure},
       .kernel = {KernelWeight::gradient},
@@ -37,7 +38,8 @@ struct PressureEnergy {
     return (-(i.P() / i.rho()) * j.m() * (j.P() / j.rho()) * (1.0 / i.pass_number() + 1.0 / j.pass_number()) * W.gradient()).eval();
   }
   static auto wall(auto const& i, auto const& B) {
-    return (-(i.P() / i.rho()) * (B.P() / i.pass_number() + 1.0) * B.S()).eval();
+    // Cold gas has P/Pbar = 0 whatever the wall prescribes.
+    return (-(i.P() / i.pass_number() * B.P() + i.P()) / i.rho() * B.S()).eval();
   }
 };
 

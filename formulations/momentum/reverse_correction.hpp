@@ -6,16 +6,18 @@
 
 namespace sphverify {
 
-/// First pass of rkgc forms: the matrix that makes gradients of linear fields exact on any particles, near 1 up to walls.
+/// First pass of rkgc forms: the matrix that makes gradients of linear fields exact on any particles, near 1 up to a plane wall.
 ///
 ///   L_i^-1 = (1/Gamma_i) [ sum_j m_j/rho_j (r_j - r_i) (x) grad_i W_ij + d_i n (x) S_i ]   [1]
 ///
-/// Gamma, the part of the kernel inside the fluid, is what the bracket tends to at a wall as h/dx grows.
+/// Gamma, the part of the kernel inside the fluid, is what the bracket tends to at a plane wall as h/dx grows; in corners faces that
+/// end have a moment along themselves, which is left.
 struct ReverseCorrection {
   static constexpr PassInfo info{.name = "normalised-correction-matrix",
                                  .writes = Field::pass_tensor,
                                  .reads = {Field::density},
-                                 .kernel = {KernelWeight::gradient}};
+                                 .kernel = {KernelWeight::gradient},
+                                 .normalised = true};
 
   static auto pair(auto const&, auto const& j, auto const& W) {
     return -j.m() / j.rho() * outer(W.separation(), W.gradient());  // W.separation() is r_i - r_j

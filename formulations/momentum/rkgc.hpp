@@ -21,7 +21,8 @@ struct ReverseCorrectedGradient {
                   "sigma_i = -sum_j m_j/rho_j (L_i + L_j) grad_i W_ij\n"
                   "a_i = -(1/rho_i) [ sum_j m_j/rho_j (P_i L_j + P_j L_i) grad_i W_ij + P_B (sigma_i.n) n ]",
       .remarks = "Exact for linear pressure on lattices; on disorder a uniform pressure pushes, along walls at walls. Between two walls "
-                 "that face each other within one support both close the same surface.",
+                 "that face each other within one support both close the same surface. On disorder the wall's part begins and ends at once "
+                 "where a particle comes within reach. In corners the matrix is not near 1.",
       .rate = Rate::acceleration,
       .reads = {Field::density, Field::pressure},
       .kernel = {KernelWeight::gradient},
@@ -31,6 +32,7 @@ struct ReverseCorrectedGradient {
       .work_partner = "work/rkgc",
       .claims = {.lattice_factors = 0, .energy_with_partner = true},
       .supports_seen = 2,
+      .wall_pressure_share = 1.0,
       .needs_partners = true};
   using passes = PassList<ReverseCorrection, MissingSurface>;
 

@@ -16,7 +16,8 @@ struct SmoothedPressure {
   static constexpr PassInfo info{.name = "smoothed-pressure",
                                  .writes = Field::pass_number,
                                  .reads = {Field::density, Field::pressure},
-                                 .kernel = {KernelWeight::value}};
+                                 .kernel = {KernelWeight::value},
+                                 .normalised = true};
 
   static auto pair(auto const&, auto const& j, auto const& W) { return j.m() * j.P() / j.rho() * W.value(); }
   static double wall(auto const&, auto const&) { return 0.0; }

@@ -44,7 +44,8 @@ struct VoronoiPressure {
       .boundary = {BoundaryValue::pressure},
       .conserves = {Invariant::momentum},
       .work_partner = "work/voronoi",
-      .claims = {.lattice_factors = 0, .steady_on_any_particles = true, .energy_with_partner = true}};
+      .claims = {.lattice_factors = 0, .steady_on_any_particles = true, .energy_with_partner = true},
+      .wall_pressure_share = 1.0};
 
   static auto pair(auto const& i, auto const& j, auto const& W) {
     auto const weight = -j.m() / (i.rho() * j.rho()) * W.radial();

@@ -31,12 +31,12 @@ double wave_pressure(WallContacts<Dim> const& contacts, std::size_t k, Particles
   return std::max(0.0, contacts.pressure[k] - std::max(0.0, sum / weight));
 }
 
-/// How much of the wall's own half of the viscous stress P_B has already.
+/// How much of the wall's own share of the viscous stress P_B has already.
 enum class WallStress { none, wave, whole };
 
 template <class Law, int Dim>
 void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts,
-                      WallStress in_pressure, Particles<Dim> const& particles, Vector<Dim>& force,
+                      WallStress in_pressure, double share, Particles<Dim> const& particles, Vector<Dim>& force,
                       double& power, ViscousRates<Dim>& rates) {
   expects(contacts.velocity.size() == contacts.size());
   expects(in_pressure != WallStress::wave || contacts.pressure.size() == contacts.size());
@@ -52,11 +52,11 @@ void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts,
     auto const [mu, Pi] =
         viscosity.pair(-2.0 * closing * apart, h(i), particles.scalar(Field::sound_speed)[i], rho,
                        Law::divisor(apart * apart, h(i), rho));
-    double const wall_half = 0.5 * Pi * rho * rho;  // [Pa]
+    double const of_wall = share * Pi * rho * rho;  // [Pa]
     double const held = in_pressure == WallStress::none ? 0.0
                         : in_pressure == WallStress::whole
-                            ? wall_half
-                            : std::min(wall_half, wave_pressure(contacts, k, particles));
+                            ? of_wall
+                            : std::min(of_wall, 2.0 * share * wave_pressure(contacts, k, particles));
     double const face = (Pi - held / (rho * rho)) * contacts.foot_density[k] * contacts.face_weight[k];
     Vector<Dim> const acceleration = -face * contacts.outward_normal;
     double const heating = face * closing;
@@ -122,7 +122,7 @@ void add_viscosity_behind(Viscosity const& viscosity, PairGeometry<Dim>& geometr
 
 template <int Dim>
 void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particles,
-                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
+                       PairGeometry<Dim>& geometry, Closure closure, double share, double time, int threads,
                        ViscousRates<Dim>& rates) {
   rates.wall_force.assign(geometry.contacts.size(), Vector<Dim>::Zero());
   rates.wall_power.assign(geometry.contacts.size(), 0.0);
@@ -139,7 +139,7 @@ void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particl
                                                   : WallStress::none;
     std::visit(
         [&](auto const& law) {
-          add_viscous_wall(law, geometry.contacts[w], in_pressure, particles, rates.wall_force[w], rates.wall_power[w], rates);
+          add_viscous_wall(law, geometry.contacts[w], in_pressure, share, particles, rates.wall_force[w], rates.wall_power[w], rates);
         },
         viscosity);
   }
@@ -149,7 +149,7 @@ void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particl
   template void add_viscosity(Viscosity const&, Particles<Dim> const&, PairSweep<Dim>&,        \
                               ViscousRates<Dim>&);                                                     \
   template void add_viscous_walls(Viscosity const&, Particles<Dim> const&, PairGeometry<Dim>&, \
-                                  Closure, double, int, ViscousRates<Dim>&);
+                                  Closure, double, double, int, ViscousRates<Dim>&);
 SPHVERIFY_INSTANTIATE(1)
 SPHVERIFY_INSTANTIATE(2)
 SPHVERIFY_INSTANTIATE(3)

@@ -38,8 +38,9 @@ struct ViscousRates {
 /// so that a wall at rest gives it no energy. Where the wall moves as its closure says it has none: a closure
 /// that does not return constants would rub against gas that moves along with the wall.
 ///
-/// Pi_iB is the gas's viscous pressure q/rho^2 and the wall's, one half each. Of the wall's half goes what P_B has
-/// of it: all where P_B is prescribed too; the wave's, up to that half, where Closure::one_sided has solved for it.
+/// Pi_iB is the gas's viscous pressure q/rho^2 and the wall's, in the shares that the momentum form's wall term gives to the gas's
+/// pressure and to P_B (SchemeInfo::wall_pressure_share). Of the wall's share goes what P_B has of it: all where P_B is prescribed
+/// too; the wave's, up to that share, where Closure::one_sided has solved for it.
 /// Reads density, velocity, sound speed, the contacts' velocity; for the wave pressure, the particles' and contacts'.
 ///
 /// First the pairs, as a term of a sweep, which writes to `rates`.
@@ -51,9 +52,9 @@ template <int Dim>
 void add_viscosity(Viscosity const&&, Particles<Dim> const&, PairSweep<Dim>&, ViscousRates<Dim>&) = delete;
 
 /// Then the walls, on top of what the sweep left in `rates`: their terms, or the pairs with what stands behind them.
+/// @param share SchemeInfo::wall_pressure_share of the momentum form beside it
 template <int Dim>
-void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particles,
-                       PairGeometry<Dim>& geometry, Closure closure, double time, int threads,
-                       ViscousRates<Dim>& rates);
+void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particles, PairGeometry<Dim>& geometry, Closure closure,
+                       double share, double time, int threads, ViscousRates<Dim>& rates);
 
 }  // namespace sphverify

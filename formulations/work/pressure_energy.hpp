@@ -33,7 +33,7 @@ struct PressureEnergyWork {
     return -(i.P() / i.rho() / i.pass_number()) * j.m() * (j.P() / j.rho()) * (j.v() - i.v()).dot(W.gradient());
   }
   static auto wall(auto const& i, auto const& B) {
-    return -(i.P() / i.rho() / i.pass_number()) * B.P() * (B.v() - i.v()).dot(B.S());
+    return -(i.P() / i.pass_number() * B.P() / i.rho()) * (B.v() - i.v()).dot(B.S());
   }
 };
 

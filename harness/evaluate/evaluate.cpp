@@ -165,7 +165,7 @@ Json viscous_rates(State<Dim>& state, PairGeometry<Dim>& geometry) {
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, 1);
   add_viscosity(state.viscosity, particles, sweep, rates);
   sweep.run(particles);
-  add_viscous_walls(state.viscosity, particles, geometry, state.closure, state.time, 1, rates);
+  add_viscous_walls(state.viscosity, particles, geometry, state.closure, SchemeInfo{}.wall_pressure_share, state.time, 1, rates);
   std::string why = why_not_finite("acceleration", components_of(rates.acceleration, Dim));
   if (why.empty()) why = why_not_finite("heating", {rates.heating});
   if (!why.empty()) return {{"acceleration", nullptr}, {"heating", nullptr}, {"reason", why}};

@@ -174,7 +174,6 @@ std::size_t MovingScene<Dim>::bytes(bool drifts) const {
   auto const of = [](VectorField<Dim> const& field) { return Dim * field.component(0).capacity(); };
   std::size_t numbers = of(drift_) + of(acceleration_) + energy_rate_.capacity() + of(viscous_.acceleration) +
                         viscous_.heating.capacity() + viscous_.largest_mu.capacity();
-  for (auto const& field : viscous_.wall_acceleration) numbers += of(field);
   FieldSet reads{Field::mass};
   for (RateOperator<Dim> const* const one : {momentum_operator_.get(), work_operator_.get(), continuity_operator_.get()}) {
     if (one) reads = reads | one->info().reads | one->info().first_passes.writes();

@@ -265,7 +265,8 @@ void MovingScene<Dim>::evaluate_forces(double time, bool drifts) {
   for (int k = 0; k < Dim; ++k)
     copy(pressure.component(k).data(), particles_.size(), threads_, acceleration_.component(k).data());
   if (is_on(viscosity_)) {
-    add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, time, threads_, viscous_);
+    add_viscous_walls(viscosity_, particles_, geometry_.geometry(), closure_, momentum_operator_->info().wall_pressure_share, time,
+                      threads_, viscous_);
     ++passes_["viscosity"];
     work_.pair_interactions += geometry().neighbours.pairs();
     for_each_row(particles_.size(), threads_, [&](std::size_t i) { acceleration_.add(i, viscous_.acceleration[i]); });

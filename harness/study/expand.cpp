@@ -132,6 +132,17 @@ std::string without_wall_particles(AnyProblem const& problem, FormulationChoice 
   if (d.wall_motion == "mass") return what + " have no wall that stands by the mass of its nearest particle";
   for (std::string const& id : {formulation.id, formulation.work, formulation.conduction}) {
     if (id.starts_with("plugin/")) return id + " has wall terms of its own, and sees nothing behind walls";
+    SchemeInfo const* const scheme = find_scheme(id);
+    bool const sums_pressure = scheme && std::any_of(scheme->first_passes.begin(), scheme->first_passes.end(), [](PassInfo const& pass) {
+      return pass.reads.contains(Field::pressure);
+    });
+    bool const is_given = std::visit(
+        [](auto const& p) {
+          return std::any_of(p.walls.begin(), p.walls.end(), [](auto const& wall) { return static_cast<bool>(wall.pressure); });
+        },
+        problem);
+    if (sums_pressure && is_given)
+      return fmt::format("{} smooths a pressure, which behind a wall of given pressure is not that of the fluid: with {} take its wall terms", id, what);
   }
   return "";
 }

@@ -49,7 +49,7 @@ void evaluate_viscosity(RandomScene<Dim> const& scene, PairGeometry<Dim> geometr
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, threads);
   add_viscosity(viscosity, scene.particles, sweep, rates);
   sweep.run(scene.particles);
-  add_viscous_walls(viscosity, scene.particles, geometry, scene.closure, scene.time, threads, rates);
+  add_viscous_walls(viscosity, scene.particles, geometry, scene.closure, 0.5, scene.time, threads, rates);
 }
 
 template <int Dim>

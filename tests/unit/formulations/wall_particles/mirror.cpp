@@ -148,7 +148,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(so_are_viscosity_continuity_and_summed_density, D,
     PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, 1);
     add_viscosity(viscosity, particles, sweep, rates);
     sweep.run(particles);
-    add_viscous_walls(viscosity, particles, geometry, Closure::interpolated, 0.0, 1, rates);
+    add_viscous_walls(viscosity, particles, geometry, Closure::interpolated, 0.5, 0.0, 1, rates);
     return rates;
   };
   ViscousRates<Dim> const images = rubbed(scene.particles, scene.geometry);
@@ -330,7 +330,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(viscosity_knows_the_speed_of_walls, D, Dimensions)
     PairSweep<Dim> sweep(scene.geometry.neighbours, scene.domain, 1);
     add_viscosity(viscosity, scene.particles, sweep, rates);
     sweep.run(scene.particles);
-    add_viscous_walls(viscosity, scene.particles, scene.geometry, Closure::interpolated, 0.0, 1, rates);
+    add_viscous_walls(viscosity, scene.particles, scene.geometry, Closure::interpolated, 0.5, 0.0, 1, rates);
     return rates;
   };
   ViscousRates<Dim> const together = rubbed();

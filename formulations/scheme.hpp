@@ -180,10 +180,7 @@ constexpr bool reads_what_nobody_wrote(SchemeInfo const& scheme) {
 /// All that it reads of the kernel.
 constexpr KernelWeightSet kernel_read(SchemeInfo const& scheme) {
   KernelWeightSet kernel = scheme.kernel;
-  for (PassInfo const& pass : scheme.first_passes) {
-    kernel = kernel | pass.kernel;
-    if (pass.normalised) return "divides by the part of the kernel inside the fluid, which Voronoi pair weights do not have";
-  }
+  for (PassInfo const& pass : scheme.first_passes) kernel = kernel | pass.kernel;
   return kernel;
 }
 
@@ -229,6 +226,9 @@ constexpr bool feeds_its_closures(SchemeInfo const& scheme) {
 /// Why it cannot take pair weights that are given instead of the kernel's; empty if it can.
 constexpr std::string_view why_no_pair_weights(SchemeInfo const& scheme) {
   if (scheme.least_squares) return "brings pair weights of its own along";
+  for (PassInfo const& pass : scheme.first_passes) {
+    if (pass.normalised) return "divides by the part of the kernel inside the fluid, which Voronoi pair weights do not have";
+  }
   KernelWeightSet const kernel = kernel_read(scheme);
   if (kernel.contains(KernelWeight::own_gradients))
     return "reads the kernel by each particle's own smoothing length, which Voronoi pair weights do not have";

@@ -69,7 +69,7 @@ BOOST_AUTO_TEST_CASE(rates_that_divide_by_the_wall_density_jump_at_2h_and_no_oth
       {"work/total-energy", -wall_pressure * wall_velocity / (2.0 * m)},
       {"conduction/campbell-flux", -wall_flux / (2.0 * m)}};
   for (SchemeInfo const* scheme : all_scheme_infos()) {
-    if (scheme->needs_partners) continue;
+    if (scheme->needs_partners || reads_face_offsets(*scheme)) continue;  // one particle has no partners, and an open cell
     auto const jump = jumps.find(scheme->id);
     double const expected = jump == jumps.end() ? 0.0 : jump->second;
     BOOST_TEST_CONTEXT(scheme->id) {

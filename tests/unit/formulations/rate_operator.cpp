@@ -28,7 +28,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(work_is_counted_per_pass_and_added_up_over_evaluat
     RandomScene<Dim> scene = random_scene<Dim>(1, 50);
     if (scheme->needs_partners) scene = widened(scene);
     scene.particles.allocate(needed_fields(*scheme));
-    PairGeometry<Dim> geometry = geometry_of(scene);
+    PairGeometry<Dim> geometry = geometry_for(scheme->id, scene);
     std::size_t const contacts = geometry.contacts[0].size() + geometry.contacts[1].size();
     std::size_t const passes = pass_count(*scheme);
     auto const operator_ = make_rate_operator<Dim>(scheme->id);
@@ -47,7 +47,7 @@ BOOST_AUTO_TEST_CASE(evaluating_again_gives_the_same_result) {
     RandomScene<2> scene = random_scene<2>(1, 50);
     if (scheme->needs_partners) scene = widened(scene);
     scene.particles.allocate(needed_fields(*scheme));
-    PairGeometry<2> geometry = geometry_of(scene);
+    PairGeometry<2> geometry = geometry_for(scheme->id, scene);
     auto const operator_ = make_rate_operator<2>(scheme->id);
     WorkCount work;
     std::vector<double> first;

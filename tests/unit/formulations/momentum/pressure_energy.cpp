@@ -43,6 +43,8 @@ BOOST_AUTO_TEST_CASE(a_gas_without_pressure_is_not_pushed) {
   RandomScene<2> scene = random_scene<2>(3, 30);
   scene.particles.scalar(Field::pressure).assign(30, 0.0);
   BOOST_TEST(largest(evaluate(scene, id, false).acceleration) == 0.0);
+  scene.walls[0].pressure = [](Vector<2> const&, double) { return 1e3; };
+  BOOST_TEST(largest(evaluate(scene, id).acceleration) == 0.0);
 }
 
 /// Equal pressure, densities 1 and 8 by mass alone: where P/rho^2 with summed density has a tension, Y knows of no jump.

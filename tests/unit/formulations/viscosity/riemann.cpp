@@ -76,6 +76,44 @@ BOOST_AUTO_TEST_CASE(pairs_conserve_momentum_and_energy_and_those_that_part_do_n
   for (double const heating : viscous(scene).heating) BOOST_TEST(heating == 0.0);
 }
 
+/// One particle that comes with speed w towards a wall at rest, whose image comes with -w: the wall's half is q, and so is the
+/// gas's, of which P_B may hold its share.
+BOOST_AUTO_TEST_CASE(a_wall_pushes_with_twice_the_excess_over_rho_less_what_its_pressure_holds) {
+  auto const push = [](Closure closure, double share, bool prescribed) {
+    RandomScene<1> scene = lattice_scene<1>(20, 0.1, 1.2);
+    auto& p = scene.particles;
+    p.allocate({Field::sound_speed});
+    p.scalar(Field::density).assign(20, 1.0);
+    p.scalar(Field::pressure).assign(20, 0.5);
+    p.scalar(Field::sound_speed).assign(20, std::sqrt(gamma * 0.5));
+    p.vector(Field::velocity).component(0).assign(20, 0.3);
+    Wall<1> wall{.point = Vector<1>(1.0), .outward_normal = Vector<1>(1.0)};
+    wall.gamma = gamma;
+    wall.velocity = [](Vector<1> const&, double) { return Vector<1>(0.0); };
+    if (prescribed) wall.pressure = [](Vector<1> const&, double) { return 0.5; };
+    scene.walls.push_back(wall);
+    PairGeometry<1> geometry = geometry_of(scene, true);
+    fill_boundary_values(geometry.contacts[0], geometry.walls[0], p, {BoundaryValue::pressure, BoundaryValue::velocity}, closure, 0.0);
+    Viscosity const viscosity = RiemannViscosity{gamma};
+    ViscousRates<1> rates;
+    PairSweep<1> sweep(geometry.neighbours, geometry.domain, 1);
+    add_viscosity(viscosity, p, sweep, rates);
+    sweep.run(p);
+    add_viscous_walls(viscosity, p, geometry, closure, share, 0.0, 1, rates);
+    auto const& contacts = geometry.contacts[0];
+    double const rho = 0.5 * (1.0 + contacts.foot_density[0]);
+    double const face = contacts.foot_density[0] * contacts.face_weight[0];
+    double const q = excess(rho, std::sqrt(gamma * 0.5), 0.6);
+    return -rates.acceleration[contacts.particle[0]][0] / face * rho * rho / q;  // in q
+  };
+  BOOST_TEST(push(Closure::interpolated, 0.5, false) == 2.0, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(push(Closure::interpolated, 0.5, true) == 1.0, boost::test_tools::tolerance(1e-9));
+  BOOST_TEST(std::abs(push(Closure::interpolated, 1.0, true)) < 1e-9);
+  // The gas at the foot point is that of the particle, up to the densities that the kernel sees.
+  BOOST_TEST(push(Closure::one_sided, 0.5, false) == 1.0, boost::test_tools::tolerance(0.05));
+  BOOST_TEST(std::abs(push(Closure::one_sided, 1.0, false)) < 0.05);
+}
+
 BOOST_AUTO_TEST_CASE(cold_gas_is_stopped_by_the_pressure_of_a_strong_shock) {
   // q = (gamma + 1)/2 rho w^2
   auto const [mu, Pi] = RiemannViscosity{gamma}.pair(-0.6, 1.0, 0.0, 2.0, RiemannViscosity::divisor(0.09, 1.0, 2.0));

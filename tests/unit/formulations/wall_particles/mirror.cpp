@@ -106,6 +106,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(mirrors_are_a_periodic_box_of_reflections, D, Dime
     for (SchemeInfo const* const info : all_scheme_infos()) {
       // What is not linear in temperature does not turn round with it; a gas has no walls of temperature.
       if (odd && info->rate != Rate::conduction_heating) continue;
+      if (reads_face_offsets(*info)) continue;  // cells end at walls
       Mirrored<Dim> scene(odd);
       if (given == Given::nothing) {
         for (Wall<Dim>& wall : scene.geometry.walls) wall.flux = {};
@@ -114,6 +115,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(mirrors_are_a_periodic_box_of_reflections, D, Dime
       auto const scheme = make_rate_operator<Dim>(info->id);
       scene.particles.allocate(needed_fields(*info));
       scene.all.allocate(needed_fields(*info));
+      for (Particles<Dim>* const particles : {&scene.particles, &scene.all}) {
+        if (particles->has(Field::omega)) particles->scalar(Field::omega).assign(particles->size(), 1.1);
+      }
       WorkCount work;
       scheme->evaluate(scene.particles, scene.geometry, Closure::interpolated, 0.0, 2, work);
       make_rate_operator<Dim>(info->id)->evaluate(scene.all, scene.periodic, Closure::interpolated, 0.0, 1, work);

@@ -179,7 +179,10 @@ BOOST_AUTO_TEST_CASE(pairs_of_partners_create_neither_momentum_nor_energy) {
   for (auto const& [formulation, work] :
        {std::pair<char const*, char const*>{"momentum/p-rho2", "work/internal-energy"},
         {"momentum/p-rho2", "work/total-energy"},
-        {"momentum/sqrt-p", "work/sqrt-p"}}) {
+        {"momentum/sqrt-p", "work/sqrt-p"},
+        {"momentum/gdsph", "work/gdsph"},
+        {"momentum/pressure-energy", "work/pressure-energy"},
+        {"momentum/rkgc", "work/rkgc"}}) {
     for (ViscosityChoice const viscosity : {ViscosityChoice{}, usual_viscosity}) {
       for (char const* smoothing : {"uniform", "adaptive"}) {
         for (double const jitter : {0.0, 0.15}) {
@@ -210,7 +213,10 @@ BOOST_AUTO_TEST_CASE(pairs_of_partners_conserve_in_two_dimensions) {
   for (auto const& [formulation, work] :
        {std::pair<char const*, char const*>{"momentum/p-rho2", "work/internal-energy"},
         {"momentum/p-rho2", "work/total-energy"},
-        {"momentum/sqrt-p", "work/sqrt-p"}}) {
+        {"momentum/sqrt-p", "work/sqrt-p"},
+        {"momentum/gdsph", "work/gdsph"},
+        {"momentum/pressure-energy", "work/pressure-energy"},
+        {"momentum/rkgc", "work/rkgc"}}) {
     Conserved const c{formulation, work, usual_viscosity, "adaptive", 0.15};
     RunRecord const record = budgets_of(c, "hydro/manufactured", 8, 0.02, 2.0);
     BOOST_TEST_REQUIRE(record.momentum.size() == 2u);
@@ -222,6 +228,21 @@ BOOST_AUTO_TEST_CASE(pairs_of_partners_conserve_in_two_dimensions) {
     BOOST_TEST(std::abs(energy.pair_drift.value()) < 1e-14, c);
     if (c.work == "work/total-energy") BOOST_TEST(std::abs(energy.drift) < 2e-14, c);
   }
+}
+
+/// Passes that a momentum form and its partner share are run once a force, and once more where the work is asked for again; those
+/// of two forms that are not one another's are run for each.
+BOOST_AUTO_TEST_CASE(partners_share_their_first_passes) {
+  auto const passes_of = [](char const* work) {
+    RunRecord const record = budgets_of({"momentum/rkgc", work, usual_viscosity, "uniform", 0.0}, "hydro/manufactured", 24, 0.01);
+    return record.scene.passes;
+  };
+  auto const shared = passes_of("work/rkgc");
+  BOOST_TEST(shared.at("missing-surface") == shared.at("work/rkgc"));
+  BOOST_TEST(shared.at("momentum/rkgc") < shared.at("work/rkgc"));
+  auto const apart = passes_of("work/pressure-energy");
+  BOOST_TEST(apart.at("missing-surface") == apart.at("momentum/rkgc"));
+  BOOST_TEST(apart.at("smoothed-pressure") == apart.at("work/pressure-energy"));
 }
 
 BOOST_AUTO_TEST_CASE(grad_h_terms_create_neither_momentum_nor_energy) {

@@ -27,7 +27,7 @@ struct VoronoiPressure {
   static constexpr SchemeInfo info{
       .id = "momentum/voronoi",
       .title = "Pressure on the faces of Voronoi cells",
-      .source = "Serrano & Espanol 2001; Hess & Springel 2010; wall term ours",
+      .source = "Serrano & Espanol 2001; Hess & Springel 2010; wall term ours, by the budget of Campbell 1989, Eq. 17",
       .equation =
           "m_i a_i = -sum_j a_ij [(P_i+P_j)/2 n + (P_j-P_i)/r c] - sum_B a_iB [P_B n + (P_B-P_i)/d_i c_B]\n"
           "a: area of a face, n: from i to j or out of the wall, c: from the middle of i and j or the foot "

@@ -26,7 +26,7 @@ struct PressureEnergyWork {
       .non_negative = {Field::pressure},
       .first_passes = {SmoothedPressure::info},
       .claims = {.steady_on_any_particles = true, .linear_on_lattice = false},
-      .supports_seen = 2};
+      .supports_seen = 1};
   using passes = PassList<SmoothedPressure>;
 
   static auto pair(auto const& i, auto const& j, auto const& W) {

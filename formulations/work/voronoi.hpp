@@ -17,7 +17,7 @@ struct VoronoiWork {
   static constexpr SchemeInfo info{
       .id = "work/voronoi",
       .title = "Work on the volumes of Voronoi cells, partner of momentum/voronoi",
-      .source = "Hess & Springel 2010; wall term ours",
+      .source = "Hess & Springel 2010; wall term ours, by the budget of Campbell 1989, Eq. 40",
       .equation =
           "m_i de_i/dt = P_i sum_j a_ij (n/2 - c/r).(v_i-v_j) + sum_B a_iB [P_B n + (P_B-P_i)/d_i "
           "c_B].(v_i-v_B)",

@@ -50,7 +50,7 @@ struct Middle {
   double heating = 0.0;
 
   Middle(RandomScene<Dim> const& scene, std::string_view id) {
-    Rates<Dim> const rates = evaluate(scene, id);
+    Rates<Dim> const rates = evaluate(scene, id, geometry_for(id, scene));  // a lattice has partners enough
     if (!rates.acceleration.empty()) acceleration = rates.acceleration[centre(scene)];
     if (!rates.heating.empty()) heating = rates.heating[centre(scene)];
   }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <boost/test/unit_test.hpp>
 
 #include "formulations/kernels/kernel.hpp"
@@ -60,8 +61,10 @@ BOOST_AUTO_TEST_CASE(walls_reach_as_far_as_the_kernel_and_twice_that_in_two_pass
       std::size_t untouched = 0;
       for (std::size_t i = 0; i < count; ++i) {
         bool const is_felt = with[i] != without[i];
-        // Towards the edge of two wide supports what is felt may be less than rounding.
-        bool const is_right = scheme->needs_partners ? (reached[i] || !is_felt) && (is_felt || !near[i]) : is_felt == reached[i];
+        // Towards the edge of two wide supports what is felt may be less than rounding, as 1 - Gamma is towards that of one.
+        bool const fades = scheme->needs_partners || std::any_of(scheme->first_passes.begin(), scheme->first_passes.end(),
+                                                                 [](PassInfo const& pass) { return pass.normalised; });
+        bool const is_right = fades ? (reached[i] || !is_felt) && (is_felt || !near[i]) : is_felt == reached[i];
         BOOST_TEST(is_right, scheme->id << ", " << of.id << ", particle " << i);
         untouched += reached[i] ? 0 : 1;
       }
@@ -199,19 +202,19 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(along_a_wall_a_gradient_is_felt_by_the_part_of_the
     constexpr double spacing = 0.1;
     constexpr double ratio = 2.4;
     constexpr double slope = 1e-4;  // so small that the root of pressure is linear too
-    int const side = 2 * static_cast<int>(std::ceil(2.0 * ratio)) + 2;
-    RandomScene<Dim> scene = lattice_scene<Dim>(side, spacing, ratio);
-    Particles<Dim>& p = scene.particles;
-    Wall<Dim> wall;
-    wall.point = scene.domain.lower;
-    wall.outward_normal = -Vector<Dim>::Unit(0);
-    wall.pressure = [](Vector<Dim> const& x, double) { return 0.9 + slope * x[1]; };
-    scene.walls = {wall};
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p.scalar(Field::pressure)[i] = 0.9 + slope * p.positions()[i][1];
     for (SchemeInfo const* scheme : all_scheme_infos()) {
       if (scheme->rate != Rate::acceleration) continue;
-      Rates<Dim> const rates = evaluate(scene, scheme->id);
+      int const side = 2 * static_cast<int>(std::ceil(2.0 * ratio * supports_seen(*scheme))) + 2;
+      RandomScene<Dim> scene = lattice_scene<Dim>(side, spacing, ratio);
+      Particles<Dim>& p = scene.particles;
+      Wall<Dim> wall;
+      wall.point = scene.domain.lower;
+      wall.outward_normal = -Vector<Dim>::Unit(0);
+      wall.pressure = [](Vector<Dim> const& x, double) { return 0.9 + slope * x[1]; };
+      scene.walls = {wall};
+      for (std::size_t i = 0; i < p.size(); ++i)
+        p.scalar(Field::pressure)[i] = 0.9 + slope * p.positions()[i][1];
+      Rates<Dim> const rates = evaluate(scene, scheme->id, geometry_for(scheme->id, scene));
       for (std::size_t i = 0; i < p.size(); ++i) {
         Vector<Dim> const across = p.positions()[i] - p.positions()[i][0] * Vector<Dim>::Unit(0);
         if (across.template lpNorm<Eigen::Infinity>() > 0.6 * spacing) continue;  // the middle sees no edge

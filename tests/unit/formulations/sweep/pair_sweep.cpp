@@ -792,6 +792,7 @@ class HandmadeSweep {
       put(slots_.T, p.scalar(Field::temperature)[i]);
       put(slots_.K, p.scalar(Field::conductivity)[i]);
       put(slots_.c, p.scalar(Field::sound_speed)[i]);
+      if (slots_.omega >= 0) put(slots_.omega, p.scalar(Field::omega)[i]);
       if (slots_.h >= 0) put(slots_.h, p.smoothing_lengths()[i]);
       put_vector(slots_.v, p.vector(Field::velocity)[i]);
       put_vector(slots_.F, p.vector(Field::flux)[i]);
@@ -818,6 +819,7 @@ class HandmadeSweep {
     }
     plan_.wants_separation = true;
     plan_.wants_radial = true;
+    plan_.wants_own_radial = true;
     plan_.wants_value = true;
   }
 

@@ -64,12 +64,12 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
         // with a scene of its own after the measured one's is gone.
         double const per_pair = moves(kind) ? 14.5 : (kind == CaseKind::rates ? 5.3 : 15.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
-        double const copies = integrator == "leapfrog" ? 5.0 : 22.0;
+        double const copies = integrator == "leapfrog" ? 2.5 : 18.0;
         double const copied =
             moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 12.0);
         double const per_particle = (moves(kind) ? 350.0 : 215.0) + 8.0 * copied;
-        // Whom a wall's foot point interpolates from, more than once while it is found anew.
-        double const per_interpolated = moves(kind) ? 30.0 : 8.0;
+        // Whom a wall's foot point interpolates from, and more while it is found anew.
+        double const per_interpolated = moves(kind) ? 20.0 : 8.0;
         double const neighbours = neighbours_per_particle<Dim>(support);
         return particle_count(p.domain, layout, resolution) *
                (per_particle +

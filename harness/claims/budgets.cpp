@@ -57,6 +57,9 @@ template <int Dim>
 std::optional<double> wall_budget(SchemeInfo const& scheme, Kernel const& kernel) {
   // Where walls act through an earlier pass, or through weights, as well, pairs with walls are not pairs without.
   if (supports_seen(scheme) > 1 || scheme.least_squares) return std::nullopt;
+  for (PassInfo const& pass : scheme.first_passes) {
+    if (pass.normalised) return std::nullopt;
+  }
   RandomScene<Dim> const scene = random_scene<Dim>(kernel, 3);
   Rates<Dim> const rates = evaluate(scene, scheme.id);
   Budget<Dim> const gained(scene, rates);

@@ -50,7 +50,9 @@ struct Middle {
   double heating = 0.0;
 
   Middle(RandomScene<Dim> const& scene, std::string_view id) {
-    Rates<Dim> const rates = evaluate(scene, id, geometry_for(id, scene));  // a lattice has partners enough
+    // A lattice has partners enough, but for a quadratic; so much wider a kernel would see its edge.
+    bool const is_quadratic = find_scheme(id)->least_squares;
+    Rates<Dim> const rates = is_quadratic ? evaluate(scene, id) : evaluate(scene, id, geometry_for(id, scene));
     if (!rates.acceleration.empty()) acceleration = rates.acceleration[centre(scene)];
     if (!rates.heating.empty()) heating = rates.heating[centre(scene)];
   }

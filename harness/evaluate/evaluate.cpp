@@ -20,7 +20,6 @@ namespace sphverify {
 
 namespace {
 
-
 template <int Dim>
 Json list(VectorField<Dim> const& field) {
   Json rows = Json::array();

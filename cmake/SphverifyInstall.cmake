@@ -18,7 +18,7 @@ configure_package_config_file(cmake/sphverify-config.cmake.in ${PROJECT_BINARY_D
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/sphverify-config-version.cmake
                                  COMPATIBILITY SameMinorVersion)
 install(FILES cmake/SphverifyLoops.cmake cmake/SphverifyAddProgram.cmake cmake/program_main.cpp.in
-              formulations/sweep/kernel_loops.cpp.in formulations/sweep/scheme_loops.cpp.in
+              formulations/sweep/kernel_columns.cpp.in formulations/sweep/scheme_loops.cpp.in
         DESTINATION ${package_dir})
 install(FILES ${PROJECT_BINARY_DIR}/sphverify-config.cmake ${PROJECT_BINARY_DIR}/sphverify-config-version.cmake
         DESTINATION ${package_dir})

@@ -1,7 +1,7 @@
 # The loops over pairs are compiled once per instruction set, of templates in formulations/sweep; the program chooses a set at
 # run time. Only here may the compiler fuse a multiplication and an addition.
 set(SPHVERIFY_LOOP_TEMPLATES "${CMAKE_CURRENT_LIST_DIR}/../formulations/sweep" CACHE INTERNAL "")
-if(NOT EXISTS "${SPHVERIFY_LOOP_TEMPLATES}/kernel_loops.cpp.in")
+if(NOT EXISTS "${SPHVERIFY_LOOP_TEMPLATES}/scheme_loops.cpp.in")
   set(SPHVERIFY_LOOP_TEMPLATES "${CMAKE_CURRENT_LIST_DIR}" CACHE INTERNAL "") # where they are installed
 endif()
 
@@ -27,7 +27,7 @@ function(sphverify_hot_file set file)
 endfunction()
 
 # sphverify_add_loops(TARGET FILE TEMPLATE): a file of a template for every instruction set, with the caller's `includes` and
-# `instantiations` in it. Only the best set, the last, has loops made for single schemes and sizes of record.
+# `instantiations` in it. Only the best set, the last, has loops made for certain records and for several terms.
 function(sphverify_add_loops target file template)
   set(specialises 0)
   foreach(set IN LISTS SPHVERIFY_INSTRUCTION_SETS)
@@ -41,16 +41,14 @@ function(sphverify_add_loops target file template)
   endforeach()
 endfunction()
 
-# The loops of a kernel.
-# @param type     Of 1, 2 and 3 dimensions, such as CubicSpline
-# @param schemes  a tuple of those that get a loop of their own with it
-# @param includes  lines that bring both
-function(sphverify_add_kernel_loops target name type schemes includes)
-  sphverify_add_loops(${target} "${name}" kernel_loops)
-endfunction()
-
 # The loops of schemes.
 # @param instantiations  explicit instantiations of what formulations/sweep/scheme_loops.hpp has
+# @param includes  lines that bring the schemes
 function(sphverify_add_scheme_loops target name instantiations includes)
   sphverify_add_loops(${target} "${name}" scheme_loops)
+endfunction()
+
+# Kernels over columns of distances, of formulations/sweep/kernel_columns.hpp.
+function(sphverify_add_kernel_columns target name instantiations includes)
+  sphverify_add_loops(${target} "${name}" kernel_columns)
 endfunction()

@@ -268,8 +268,8 @@ class SchemeOperator final : public RateOperator<Dim> {
     double const* const temperature = particles.scalar(Field::temperature).data();
     double* const rate = particles.scalar(Field::heating).data();
     for_each_block(neighbours.rows(), threads, [&](std::size_t begin, std::size_t end) {
-      sweep_kernels<Dim>(particles.kernel().id()).conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(),
-                                   temperature, begin, end, rate);
+      loops_of_sweep<Dim>().conduct(neighbours.first.data(), neighbours.neighbour.data(), conductance_.data(), temperature, begin,
+                                    end, rate);
     });
   }
 

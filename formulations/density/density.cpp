@@ -27,7 +27,7 @@ void sum_density(Particles<Dim>& particles, NeighbourList const& neighbours, Dom
                  int threads) {
   auto& density = particles.scalar(Field::density);
   PairSweep<Dim> sweep(neighbours, domain, threads);
-  sweep.add(sweep_kernels<Dim>(particles.kernel().id()).density, {Field::mass}, {}, density);
+  sweep.add(loops_of_sweep<Dim>().density, {Field::mass}, {}, density);
   sweep.run(particles);
   double const own = particles.kernel().value(0.0, particles.smoothing_length());
   for_each_row(density.size(), threads, [&](std::size_t i) { density[i] += particles.masses()[i] * own; });

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <tuple>
-
 #include "formulations/kernels/cubic_spline.hpp"
 #include "formulations/kernels/quintic_spline.hpp"
 #include "formulations/kernels/wendland_c2.hpp"
@@ -11,16 +9,9 @@
 namespace sphverify {
 
 template <template <int> class... Kernels>
-struct KernelPack {
-  template <int Dim>
-  using InDimension = std::tuple<Kernels<Dim>...>;
-};
+struct KernelPack {};
 
-/// The one list of kernels, in the order in which they are shown; the first is what runs take that name none. A
-/// header is named after its type: formulations/CMakeLists.txt makes the loops of each from the includes above.
+/// The one list of kernels, in the order in which they are shown; the first is what runs take that name none.
 using AllKernels = KernelPack<CubicSpline, QuinticSpline, WendlandC2, WendlandC4, WendlandC6>;
-
-template <int Dim>
-using KernelList = AllKernels::InDimension<Dim>;
 
 }  // namespace sphverify

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "formulations/kernels/columns.hpp"
+
 namespace sphverify {
 
 /// What lists say of a kernel.
@@ -53,8 +55,7 @@ class PiecewisePolynomial {
 /// A smoothing kernel in some dimension, W(r, h) = sigma/h^Dim w(q) with q = r/h, its integrals over planes,
 /// and the moments of its shape w that the integrals over parts of planes are made of. All of them follow
 /// from the polynomials that w is made of, by one derivation for every kernel (docs/theory/face-weights.md);
-/// each is off by less than 1e-14 of its largest value. Loops over pairs do not use it: they are compiled for
-/// each of KernelList.
+/// each is off by less than 1e-14 of its largest value. Loops over pairs take its columns.
 class Kernel {
  public:
   KernelInfo const& info() const { return info_; }
@@ -72,6 +73,8 @@ class Kernel {
   /// Gamma(d): the part of the kernel on the inner side of a plane at distance d >= 0, between 1/2 and 1. Its
   /// derivative by d is plane_integral.
   double inner_fraction(double d, double h) const;
+
+  KernelColumns const& columns() const { return columns_; }  ///< for this processor
 
   // From here on lengths are in units of h.
 
@@ -108,6 +111,7 @@ class Kernel {
   Kernel() = default;
 
   KernelInfo info_{};
+  KernelColumns columns_{};
   int dimension_ = 0;
   double sigma_ = 0.0;
   double (*value_)(double, double) = nullptr;
@@ -126,8 +130,7 @@ class Kernel {
 /// A kernel in 1, 2 and 3 dimensions. kernel_part<Kernel>() of kernel_of.hpp makes it of a header.
 using KernelPart = std::array<Kernel, 3>;
 
-/// Adds a kernel to those of KernelList, before anything else is asked of them; its loops over pairs are added beside
-/// (sweep/dispatch.hpp). Throws std::invalid_argument if there is one of that identifier.
+/// Adds a kernel to those of AllKernels, before anything else is asked of them. Throws std::invalid_argument if there is one of that identifier.
 void add_kernel(KernelPart const& part);
 
 /// The kernel of an id in 1, 2 or 3 dimensions; it lives as long as the program. Throws std::invalid_argument
@@ -137,7 +140,7 @@ Kernel const& kernel(std::string_view id, int dimension);
 /// What is taken where nothing else is asked for: the cubic spline.
 Kernel const& default_kernel(int dimension);
 
-/// Those of KernelList in its order, then those that were added.
+/// Those of AllKernels in its order, then those that were added.
 std::vector<KernelInfo> all_kernel_infos();
 
 }  // namespace sphverify

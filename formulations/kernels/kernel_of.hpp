@@ -7,6 +7,7 @@
 #include "formulations/basics/expects.hpp"
 #include "formulations/kernels/kernel.hpp"
 #include "formulations/kernels/on_piece.hpp"
+#include "formulations/sweep/loops.hpp"
 
 // How a kernel's header becomes a Kernel.
 namespace sphverify {
@@ -93,6 +94,7 @@ Kernel Kernel::of() {
   Kernel made;
   made.info_ = {Definition::id, Definition::title, Definition::source, Definition::equation,
                 Definition::support_ratio};
+  made.columns_ = columns_of_kernel<Definition, Dim>();
   made.dimension_ = Dim;
   made.sigma_ = Definition::sigma;
   made.value_ = [](double r, double h) { return Definition::value(r, h); };

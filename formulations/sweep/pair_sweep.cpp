@@ -5,7 +5,6 @@
 
 #include "formulations/basics/expects.hpp"
 #include "formulations/basics/parallel.hpp"
-#include "formulations/sweep/stored_slope.hpp"
 
 namespace sphverify {
 
@@ -109,39 +108,77 @@ struct PairSweep<Dim>::Records {
   }
 };
 
-/// The loop made for just these terms, if there is one for such particles.
-template <int Dim>
-FusedSweep const* PairSweep<Dim>::fused(SweepPlan const& plan, std::string_view kernel,
-                                        SweepKernels const& kernels) const {
-  if (plan.slots.h >= 0 || plan.wrapping == Wrapping::turned) return nullptr;
-  bool const drifts = plan.slots.u != plan.slots.v;
-  auto const fits = [&](FusedSweep const& one) {
-    if (drifts && !one.reads_state_velocity) return false;
-    std::size_t same = 0;
-    while (same < terms_.size() && same < one.terms.size() && one.terms[same] == terms_[same].sum) ++same;
-    bool const all = same == terms_.size() && (same == one.terms.size() || one.terms[same] == nullptr);
-    return all && one.reads == reads_;
-  };
-  for (FusedSweep const& one : kernels.fused) {
-    if (fits(one)) return &one;
+namespace {
+
+/// Whether records have all that a loop was made for in the places that it knows.
+bool fits(RecordSlots const& made_for, RecordSlots const& there) {
+  for (auto const slot :
+       {&RecordSlots::m, &RecordSlots::rho, &RecordSlots::P, &RecordSlots::T, &RecordSlots::K, &RecordSlots::c,
+        &RecordSlots::per_rho, &RecordSlots::v, &RecordSlots::F, &RecordSlots::omega, &RecordSlots::pass_number,
+        &RecordSlots::pass_number_2, &RecordSlots::pass_vector, &RecordSlots::pass_tensor, &RecordSlots::u, &RecordSlots::h}) {
+    if (made_for.*slot >= 0 && made_for.*slot != there.*slot) return false;
   }
-  for (FusedWithKernel const& one : added_fused_loops<Dim>()) {
-    if (one.kernel == kernel && fits(one.sweep)) return &one.sweep;
+  return true;
+}
+
+BatchFunction fitting(std::array<LoopForSlots, 2> const& made, RecordSlots const& slots) {
+  for (LoopForSlots const& one : made) {
+    if (one.sum != nullptr && fits(one.slots, slots)) return one.sum;
   }
   return nullptr;
 }
 
+/// How many of the terms from the first on a loop of several serves: all of its own, or none.
+std::size_t served(LoopOfSeveral const& loop, std::span<RowTerm const> terms) {
+  std::size_t same = 0;
+  while (same < loop.terms.size() && loop.terms[same] != nullptr) {
+    if (same == terms.size() || terms[same].loops->sum != loop.terms[same]) return 0;
+    ++same;
+  }
+  return same;
+}
+
+}  // namespace
+
+/// For the terms one after the other, the loop that serves most of those that follow.
 template <int Dim>
-void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel,
+void PairSweep<Dim>::choose_loops(RecordSlots const& slots) {
+  loops_.clear();
+  loop_terms_.clear();
+  for (std::size_t t = 0; t < terms_.size();) {
+    TermLoops const& own = *terms_[t].loops;
+    BatchFunction chosen = fitting(own.made, slots);
+    if (chosen == nullptr) chosen = own.sum;
+    std::size_t most = 1;
+    for (LoopOfSeveral const& several : loops_of_sweep<Dim>().of_several) {
+      std::size_t const count = served(several, std::span(terms_).subspan(t));
+      if (count <= most) continue;
+      if (BatchFunction const together = fitting(several.made, slots)) {
+        chosen = together;
+        most = count;
+      }
+    }
+    loops_.push_back(chosen);
+    loop_terms_.push_back(t);
+    t += most;
+  }
+}
+
+template <int Dim>
+void PairSweep<Dim>::add(TermLoops const& loops, FieldSet reads, KernelWeightSet kernel,
                          std::vector<double*> const& out, void const* parameters) {
   expects(terms_.size() < most_terms && out.size() <= most_components);
   RowTerm term{
-      .sum = sum, .parameters = parameters, .components = static_cast<int>(out.size()), .outputs = {}};
+      .loops = &loops, .parameters = parameters, .components = static_cast<int>(out.size()), .outputs = {}};
   std::copy(out.begin(), out.end(), term.outputs.begin());
   terms_.push_back(term);
   reads_ = reads_ | reads;
   if (kernel.contains(KernelWeight::gradient) || kernel.contains(KernelWeight::radial)) wants_radial_ = true;
-  if (kernel.contains(KernelWeight::value)) wants_value_ = true;
+  if (kernel.contains(KernelWeight::value)) {
+    expects(neighbours_.slope.empty());  // beside stored slopes there is no W: who reads it is refused before (why_no_pair_weights)
+    wants_value_ = true;
+  }
+  if (loops.wants_value) wants_value_ = true;
   if (kernel.contains(KernelWeight::face_offset)) {
     expects(has_offsets(neighbours_, Dim));
     wants_offset_ = true;
@@ -151,23 +188,23 @@ void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel
 }
 
 template <int Dim>
-void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, std::vector<double>& out,
+void PairSweep<Dim>::add(TermLoops const& loops, FieldSet reads, KernelWeightSet kernel, std::vector<double>& out,
                          void const* parameters) {
-  add(sum, reads, kernel, std::vector<double*>{out.data()}, parameters);
+  add(loops, reads, kernel, std::vector<double*>{out.data()}, parameters);
 }
 
 template <int Dim>
-void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, VectorField<Dim>& out) {
+void PairSweep<Dim>::add(TermLoops const& loops, FieldSet reads, KernelWeightSet kernel, VectorField<Dim>& out) {
   std::vector<double*> components;
   for (int k = 0; k < Dim; ++k) components.push_back(out.component(k).data());
-  add(sum, reads, kernel, components, nullptr);
+  add(loops, reads, kernel, components, nullptr);
 }
 
 template <int Dim>
-void PairSweep<Dim>::add(RowFunction sum, FieldSet reads, KernelWeightSet kernel, TensorField<Dim>& out) {
+void PairSweep<Dim>::add(TermLoops const& loops, FieldSet reads, KernelWeightSet kernel, TensorField<Dim>& out) {
   std::vector<double*> components;
   for (int n = 0; n < TensorField<Dim>::components; ++n) components.push_back(out.component(n).data());
-  add(sum, reads, kernel, components, nullptr);
+  add(loops, reads, kernel, components, nullptr);
 }
 
 template <int Dim>
@@ -179,6 +216,8 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .neighbour = neighbours_.neighbour.data(),
                  .slope = neighbours_.slope.empty() ? nullptr : neighbours_.slope.data(),
                  .offset = {},
+                 .kernel = particles.kernel().columns(),
+                 .support_ratio = particles.kernel().support_ratio(),
                  .h = particles.smoothing_length(),
                  .wrapping = Wrapping::none,
                  .period = {},
@@ -189,7 +228,8 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .wants_value = wants_value_,
                  .wants_own_radial = wants_own_radial_,
                  .terms = terms_.data(),
-                 .term_count = terms_.size()};
+                 .loops = loops_,
+                 .loop_terms = loop_terms_};
   if (domain_.is_periodic()) plan.wrapping = domain_.is_turned() ? Wrapping::turned : Wrapping::along_axes;
   for (std::size_t k = 0; wants_offset_ && k < Dim; ++k) plan.offset[k] = neighbours_.offset[k].data();
   for (int k = 0; k < Dim; ++k) {
@@ -201,38 +241,42 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
   return plan;
 }
 
-/// By whose name the loops go: the kernel's, or that of stored slopes.
-template <int Dim>
-std::string_view PairSweep<Dim>::loops_of(Particles<Dim> const& particles) const {
-  return neighbours_.slope.empty() ? particles.kernel().id() : StoredSlope<Dim>::id;
+namespace {
+
+/// Pairs that batches of some rows hold: those of the longest row, if it is that long.
+std::size_t capacity_of(NeighbourList const& neighbours, std::size_t begin, std::size_t end) {
+  std::size_t longest = batch_pairs;
+  for (std::size_t i = begin; i < end; ++i)
+    longest = std::max(longest, neighbours.first[i + 1] - neighbours.first[i] + 3);
+  return longest / 4 * 4;
 }
+
+}  // namespace
 
 template <int Dim>
 void PairSweep<Dim>::run(Particles<Dim> const& particles, VectorField<Dim> const* state_velocity) {
   Records const records(reads_, particles, state_velocity, threads_);
+  choose_loops(records.slots);
   SweepPlan const sweep = plan(particles, records);
-  std::string_view const kernel = loops_of(particles);
-  SweepKernels const& kernels = sweep_kernels<Dim>(kernel);
-  FusedSweep const* const made_for_this = fused(sweep, kernel, kernels);
+  SweepLoops const& loops = loops_of_sweep<Dim>();
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
-    if (made_for_this) return made_for_this->rows(sweep, begin, end);
-    double* const scratch = row_space.of(scratch_size(sweep.stride));
-    kernels.rows(sweep, begin, end, scratch);
+    std::size_t const capacity = capacity_of(neighbours_, begin, end);
+    loops.rows(sweep, begin, end, capacity, row_space.of(scratch_size(capacity)));
   });
 }
 
 template <int Dim>
-std::vector<double> PairSweep<Dim>::conductances(void (*of_row)(Row const&, double*), FieldSet reads,
+std::vector<double> PairSweep<Dim>::conductances(void (*of_batch)(Batch const&, double*), FieldSet reads,
                                                  Particles<Dim> const& particles) {
   expects(particles.smoothing_lengths().empty());
   wants_radial_ = wants_separation_ = wants_value_ = true;  // once a scene
   Records const records(reads, particles, nullptr, threads_);
   SweepPlan const sweep = plan(particles, records);
-  SweepKernels const& kernels = sweep_kernels<Dim>(loops_of(particles));
+  SweepLoops const& loops = loops_of_sweep<Dim>();
   std::vector<double> all(neighbours_.pairs());
   for_each_block(neighbours_.rows(), threads_, [&](std::size_t begin, std::size_t end) {
-    double* const scratch = row_space.of(scratch_size(sweep.stride));
-    kernels.conductances(sweep, of_row, begin, end, scratch, all.data());
+    std::size_t const capacity = capacity_of(neighbours_, begin, end);
+    loops.conductances(sweep, of_batch, begin, end, capacity, row_space.of(scratch_size(capacity)), all.data());
   });
   return all;
 }

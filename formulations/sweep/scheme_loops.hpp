@@ -1,28 +1,23 @@
 #pragma once
 
-#include <span>
 #include <utility>
 
-#include "formulations/kernels/all.hpp"
-#include "formulations/sweep/fused.hpp"
+#include "formulations/sweep/row_loops.hpp"
 
 // The loops over pairs that a scheme has of its own. Included by the files that are compiled once per instruction set, and
 // by nothing else.
 namespace sphverify::SPHVERIFY_INSTRUCTION_SET {
 
-template <class Scheme, std::size_t n, int Dim>
-void sum_pass(Row const& row, void const* parameters, double* out) {
-  sum_row<PassTerm<Scheme, n, Dim>, Dim>(row, parameters, out);
-}
-
 template <class Scheme, int Dim>
-void conductance_of_row(Row const& row, double* out) {
+void conductance_of_batch(Batch const& batch, double* out) {
   constexpr FieldSet reads = RateTerm<Scheme, Dim>::reads;
-  View<Dim, reads, ReadOwn> const i(row.slots, ReadOwn{row.own});
-  for (std::size_t k = 0; k < row.count; k += Pack::size) {
-    View<Dim, reads, ReadColumns> const j(row.slots, ReadColumns{row.columns + k});
-    KernelColumns<Dim> const W(row, k);
-    Scheme::conductance(i, j, DeclaredKernel<Scheme::info.kernel, KernelColumns<Dim>>(W)).store(out + k);
+  for (std::size_t row = 0; row < batch.rows; ++row) {
+    View<Dim, reads, ReadOwn> const i(batch.slots, ReadOwn{batch.records + (batch.begin + row) * batch.stride});
+    for (std::size_t k = batch.first[row]; k < batch.first[row + 1]; k += Pack::size) {
+      View<Dim, reads, ReadRecords> const j(batch.slots, ReadRecords{FourRecords(batch, k)});
+      KernelOfPairs<Dim> const W(batch, k);
+      Scheme::conductance(i, j, DeclaredKernel<Scheme::info.kernel, KernelOfPairs<Dim>>(W)).store(out + k);
+    }
   }
 }
 
@@ -31,9 +26,9 @@ template <class Scheme, int Dim>
 constexpr SchemeLoops loops_of() {
   SchemeLoops loops{};
   [&]<std::size_t... n>(std::index_sequence<n...>) {
-    ((loops.passes[n] = sum_pass<Scheme, n, Dim>), ...);
+    ((loops.passes[n] = loops_of_term<Dim, PassTerm<Scheme, n, Dim>>()), ...);
   }(std::make_index_sequence<std::tuple_size_v<AllPasses<Scheme>>>());
-  if constexpr (Scheme::info.difference_form) loops.conductance = conductance_of_row<Scheme, Dim>;
+  if constexpr (Scheme::info.difference_form) loops.conductance = conductance_of_batch<Scheme, Dim>;
   return loops;
 }
 
@@ -45,25 +40,6 @@ SchemeLoops const& scheme_loops() {
                                   "not prescribe (formulations/scheme.hpp)");
   static constexpr SchemeLoops loops = loops_of<Scheme, Dim>();
   return loops;
-}
-
-/// For each kernel of ours the loops made for just this scheme; for ours they lie with the kernel (kernels.hpp).
-template <class Scheme, int Dim>
-std::span<FusedWithKernel const> fused_with_kernels() {
-  if constexpr (specialises) {
-    static constexpr auto all = []<class... Kernels>(std::tuple<Kernels...> const*) {
-      auto const with = []<class Kernel>(Kernel const*) {
-        auto const loops = fused_passes<Dim, Kernel, Scheme>();
-        std::array<FusedWithKernel, loops.size()> named{};
-        for (std::size_t n = 0; n < loops.size(); ++n) named[n] = {Kernel::id, loops[n]};
-        return named;
-      };
-      return joined(with(static_cast<Kernels const*>(nullptr))...);
-    }(static_cast<KernelList<Dim> const*>(nullptr));
-    return all;
-  } else {
-    return {};
-  }
 }
 
 /// Compiles the loops of all schemes of a list.

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <span>
-#include <string_view>
 
+#include "formulations/kernels/columns.hpp"
 #include "formulations/particles/field.hpp"
 
 // The sweep over pairs as plain data: what the files that are compiled once per instruction set share with
@@ -12,17 +12,19 @@
 namespace sphverify {
 
 /// Where in a particle's record its fields lie, in doubles; -1 for those that nothing reads. The place comes
-/// first.
+/// first, what depends on more than the fields that are read last: a loop made for its fields finds them in every plan
+/// that reads just these.
 struct RecordSlots {
-  int m = -1, rho = -1, P = -1, T = -1, K = -1, c = -1, h = -1;
+  int m = -1, rho = -1, P = -1, T = -1, K = -1, c = -1;
   int per_rho = -1;  ///< 1/rho
   int v = -1;        ///< velocity with which the particle drifts, `Dim` doubles
-  int u = -1;        ///< velocity of the state, which viscosity rubs with; most often the same
   int F = -1;        ///< heat flux, `Dim` doubles
   int omega = -1;
   int pass_number = -1, pass_number_2 = -1;
   int pass_vector = -1;  ///< `Dim` doubles
   int pass_tensor = -1;  ///< its Dim(Dim + 1)/2 different elements
+  int u = -1;        ///< velocity of the state, which viscosity rubs with; most often the same as v
+  int h = -1;
   int used = 0;      ///< doubles in all
 
   /// Doubles from one record to the next: whole packs.
@@ -48,50 +50,73 @@ constexpr RecordSlots record_slots(FieldSet reads, int dimension, bool own_lengt
   if (reads.contains(Field::temperature)) slots.T = take(1);
   if (reads.contains(Field::conductivity)) slots.K = take(1);
   if (reads.contains(Field::sound_speed)) slots.c = take(1);
-  if (own_lengths) slots.h = take(1);
-  if (reads.contains(Field::velocity)) {
-    slots.v = take(dimension);
-    slots.u = drifts ? take(dimension) : slots.v;
-  }
+  if (reads.contains(Field::velocity)) slots.v = take(dimension);
   if (reads.contains(Field::flux)) slots.F = take(dimension);
   if (reads.contains(Field::omega)) slots.omega = take(1);
   if (reads.contains(Field::pass_number)) slots.pass_number = take(1);
   if (reads.contains(Field::pass_number_2)) slots.pass_number_2 = take(1);
   if (reads.contains(Field::pass_vector)) slots.pass_vector = take(dimension);
   if (reads.contains(Field::pass_tensor)) slots.pass_tensor = take(info(Field::pass_tensor).components(dimension));
+  if (slots.v >= 0) slots.u = drifts ? take(dimension) : slots.v;
+  if (own_lengths) slots.h = take(1);
   return slots;
 }
 
-/// How many neighbours are looked at together; longer rows come in parts.
-inline constexpr std::size_t part_size = 128;
-
-/// Neighbours of one particle, or a part of them, copied side by side: what the formulas of all terms of a
-/// sweep read.
-struct Row {
+/// Pairs of one particle after the other, side by side: what every term of a sweep reads. A row is filled up to whole packs
+/// with pairs out of reach, which add nothing.
+struct Batch {
   RecordSlots slots;
-  double const* own;      ///< the particle's record
-  double const* columns;  ///< field s of neighbour k is columns[s * part_size + k]; in place of x: x_i - x_j,
-                          ///< if some term wants it
-  double const* distance;  ///< r_ij  [m]
-  double const* radial;    ///< W'(r)/r; only if some term reads the gradient or this
-  double const* value;     ///< W; only if some term reads it
-  double const* offset;    ///< component n of neighbour k's is offset[n * part_size + k]; only if some term reads it
-  double const* radial_i;  ///< W'(r)/r with the particle's own h; only if some term reads the gradients of both
-  double const* radial_j;  ///< the same with the neighbour's h; where all have one h both are `radial`
-  std::size_t count;       ///< neighbours, filled up to whole packs with ones out of reach
-  double h;                ///< the particle's own smoothing length [m]
+  std::size_t begin;             ///< the first particle
+  std::size_t rows;              ///< how many particles
+  std::size_t const* first;      ///< rows + 1: where in the columns each particle's pairs begin
+  double const* records;         ///< of all particles
+  std::size_t stride;            ///< from one to the next
+  std::uint32_t const* neighbour;  ///< whose records they are
+  double const* separation;      ///< component n of pair k's r_i - r_j is separation[n * capacity + k]; only if some term reads it
+  double const* distance;        ///< r_ij  [m]
+  double const* radial;          ///< W'(r)/r; only if some term reads the gradient or this
+  double const* value;           ///< W; only if some term reads it
+  double const* offset;          ///< as separation; only if some term reads it
+  double const* radial_i;        ///< W'(r)/r with the particle's own h; only if some term reads the gradients of both
+  double const* radial_j;        ///< the same with the neighbour's h; where all have one h both are `radial`
+  double const* pair_h;          ///< (h_i + h_j)/2; null where all have one
+  std::size_t capacity;          ///< pairs that a column holds
+  double h;                      ///< the common smoothing length [m]
+  double support_ratio;          ///< the kernel's
+
+  std::size_t pairs() const { return first[rows]; }
 };
 
 /// What one sweep can hold.
 inline constexpr std::size_t most_terms = 6;
 inline constexpr std::size_t most_components = 6;
 
-/// Adds a term's sum over a row to as many numbers as the term has components.
-using RowFunction = void (*)(Row const& row, void const* parameters, double* sums);
+struct RowTerm;
+/// Writes the sums of one term, or of several that follow each other, for all rows of a batch.
+using BatchFunction = void (*)(Batch const& batch, RowTerm const* terms);
+
+/// A loop that was made for records in which what it reads lies in certain places, known when it was compiled.
+struct LoopForSlots {
+  RecordSlots slots;  ///< of what it reads
+  BatchFunction sum = nullptr;
+};
+
+/// The loops of a term over its pairs.
+struct TermLoops {
+  BatchFunction sum = nullptr;            ///< serves records of any kind; by this the term is known
+  std::array<LoopForSlots, 2> made{};  ///< faster; without and with a velocity of drift, if it reads the state's
+  bool wants_value = false;               ///< reads W of the particles' kernel, whatever stands in place of its slopes
+};
+
+/// Terms that are often wanted together have a loop of their own, in which a neighbour's record is read once for all.
+struct LoopOfSeveral {
+  std::array<BatchFunction, 4> terms;  ///< null after the last
+  std::array<LoopForSlots, 2> made;
+};
 
 /// A term of a sweep and where its sums go: `outputs` arrays of one number per particle.
 struct RowTerm {
-  RowFunction sum;
+  TermLoops const* loops;
   void const* parameters;
   int components;
   std::array<double*, most_components> outputs;
@@ -109,6 +134,8 @@ struct SweepPlan {
   std::uint32_t const* neighbour;
   double const* slope;  ///< NeighbourList::slope; null where the kernel gives it
   std::array<double const*, 3> offset;  ///< NeighbourList::offset; null unless some term reads it
+  KernelColumns kernel;
+  double support_ratio;
   double h;             ///< the common smoothing length, where slots.h < 0
   Wrapping wrapping;
   std::array<double, 3> period;          ///< 0 along axes that are not periodic
@@ -119,51 +146,41 @@ struct SweepPlan {
   bool wants_value;
   bool wants_own_radial;  ///< with the h of each, where slots.h >= 0
   RowTerm const* terms;
-  std::size_t term_count;
+  std::span<BatchFunction const> loops;  ///< one after the other on each batch
+  std::span<std::size_t const> loop_terms;  ///< at which term each begins
 };
 
 inline constexpr std::size_t most_passes = 4;
 
-/// What a scheme has of its own, whatever the kernel.
+/// What a scheme has of its own.
 struct SchemeLoops {
-  std::array<RowFunction, most_passes> passes;  ///< that of the rate last, then null
-  /// Per pair of a row its conductance, for conduction that is linear on particles at rest; null for other forms.
-  void (*conductance)(Row const& row, double* conductance);
+  std::array<TermLoops, most_passes> passes;  ///< that of the rate last, then empty ones
+  /// Per pair of a batch its conductance, for conduction that is linear on particles at rest; null for other forms.
+  void (*conductance)(Batch const& batch, double* conductance);
 };
 
-/// Sweeps of terms that are often wanted together have a loop of their own, in which a neighbour goes from
-/// its record into all terms without being copied in between. Serves plans without own smoothing lengths and
-/// turned boxes.
-struct FusedSweep {
-  std::array<RowFunction, 4> terms;  ///< null after the last
-  FieldSet reads;                    ///< of all of them
-  bool reads_state_velocity;         ///< serves plans with drift too
-  void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end);
-};
-/// One that lies elsewhere than with its kernel.
-struct FusedWithKernel {
-  std::string_view kernel;
-  FusedSweep sweep;
-};
-
-/// The loops over pairs of a kernel in one dimension, compiled for one instruction set.
-struct SweepKernels {
+/// The loops over pairs in one dimension that belong to no scheme, compiled for one instruction set.
+struct SweepLoops {
   char const* instruction_set;
-  /// Rows begin to end of a plan. @param scratch scratch_size(stride) doubles, aligned to 32 bytes
-  void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end, double* scratch);
-  std::span<FusedSweep const> fused;
-  RowFunction density;    ///< sum_j m_j W(r_ij, h_i), the particle itself left out
-  RowFunction viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
-  RowFunction riemann_viscosity;  ///< the same of a RiemannViscosity
-  RowFunction approach;   ///< largest rate_of_approach()
-  void (*conductances)(SweepPlan const& plan, void (*of_row)(Row const&, double*), std::size_t begin,
-                       std::size_t end, double* scratch, double* out);
+  /// Rows begin to end of a plan. @param scratch scratch_size() doubles, aligned to 32 bytes
+  void (*rows)(SweepPlan const& plan, std::size_t begin, std::size_t end, std::size_t capacity, double* scratch);
+  std::span<LoopOfSeveral const> of_several;
+  TermLoops density;    ///< sum_j m_j W_ij, the particle itself left out
+  TermLoops viscosity;  ///< parameters: MonaghanViscosity; acceleration, heating, largest |mu|
+  TermLoops riemann_viscosity;  ///< the same of a RiemannViscosity
+  TermLoops approach;   ///< largest rate_of_approach()
+  void (*conductances)(SweepPlan const& plan, void (*of_batch)(Batch const&, double*), std::size_t begin, std::size_t end,
+                       std::size_t capacity, double* scratch, double* out);
   /// rate_i = sum_j c_ij (T_i - T_j) for rows begin to end.
   void (*conduct)(std::size_t const* first, std::uint32_t const* neighbour, double const* conductance,
                   double const* temperature, std::size_t begin, std::size_t end, double* rate);
 };
 
-/// Doubles of scratch memory that a plan's rows need.
-constexpr std::size_t scratch_size(std::size_t stride) { return (stride + 9) * part_size; }
+/// Rows that a batch holds at most, and pairs that it holds at least.
+inline constexpr std::size_t batch_rows = 64;
+inline constexpr std::size_t batch_pairs = 264;  // no power of two: columns would share lines of a cache
+
+/// Doubles of scratch memory for batches of so many pairs.
+constexpr std::size_t scratch_size(std::size_t capacity) { return 16 * capacity; }
 
 }  // namespace sphverify

@@ -103,11 +103,19 @@ struct ReadOwn {
   SPHVERIFY_INLINE Pack operator()(int slot) const { return own[slot]; }
 };
 
-/// Neighbours k to k + 3 of a row that has been copied.
-struct ReadColumns {
-  double const* columns;
+/// The records of four neighbours of a batch.
+struct FourRecords {
+  double const* record[Pack::size];
+  SPHVERIFY_INLINE FourRecords(Batch const& batch, std::size_t k) {
+    for (std::size_t l = 0; l < Pack::size; ++l) record[l] = batch.records + batch.neighbour[k + l] * batch.stride;
+  }
+};
+
+/// Four neighbours, read where their records lie.
+struct ReadRecords {
+  FourRecords four;
   SPHVERIFY_INLINE Pack operator()(int slot) const {
-    return Pack::load(columns + static_cast<std::size_t>(slot) * part_size);
+    return Pack::Lanes{four.record[0][slot], four.record[1][slot], four.record[2][slot], four.record[3][slot]};
   }
 };
 
@@ -117,71 +125,41 @@ struct ReadRegisters {
   SPHVERIFY_INLINE Pack operator()(int slot) const { return columns[slot]; }
 };
 
-/// The kernel between the row's particle and its neighbours k to k + 3.
+/// The kernel between a row's particle and its neighbours k to k + 3 of a batch.
 template <int Dim>
-class KernelColumns {
+class KernelOfPairs {
  public:
-  SPHVERIFY_INLINE KernelColumns(Row const& row, std::size_t k) : row_(row), k_(k) {}
+  SPHVERIFY_INLINE KernelOfPairs(Batch const& batch, std::size_t k) : batch_(batch), k_(k) {}
 
-  SPHVERIFY_INLINE Pack radial() const {
-    return Pack::load(row_.radial + k_);
-  }  ///< (r_ij . grad_i W_ij)/r_ij^2
-  SPHVERIFY_INLINE Pack value() const { return Pack::load(row_.value + k_); }  ///< W_ij
-  SPHVERIFY_INLINE Pack distance() const { return Pack::load(row_.distance + k_); }  ///< r_ij
+  SPHVERIFY_INLINE Pack radial() const { return Pack::load(batch_.radial + k_); }  ///< (r_ij . grad_i W_ij)/r_ij^2
+  SPHVERIFY_INLINE Pack value() const { return Pack::load(batch_.value + k_); }  ///< W_ij
+  SPHVERIFY_INLINE Pack distance() const { return Pack::load(batch_.distance + k_); }  ///< r_ij
   SPHVERIFY_INLINE Pack squared_distance() const { return distance() * distance(); }
-  /// @param divisor the term's `divisor`
-  SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, Pack(1.0) / divisor}; }
-  SPHVERIFY_INLINE PackVector<Dim> separation() const {  ///< r_i - r_j
-    PackVector<Dim> value;
-    for (int d = 0; d < Dim; ++d) {
-      value.component[d] = Pack::load(row_.columns + static_cast<std::size_t>(d) * part_size + k_);
-    }
-    return value;
-  }
+  SPHVERIFY_INLINE PackVector<Dim> separation() const { return vector(batch_.separation); }  ///< r_i - r_j
   SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {radial(), separation()}; }  ///< grad_i W_ij
-  SPHVERIFY_INLINE PackVector<Dim> offset() const {  ///< from (r_i + r_j)/2 to the centroid of their face
-    PackVector<Dim> value;
-    for (int d = 0; d < Dim; ++d) value.component[d] = Pack::load(row_.offset + static_cast<std::size_t>(d) * part_size + k_);
-    return value;
-  }
+  SPHVERIFY_INLINE PackVector<Dim> offset() const { return vector(batch_.offset); }  ///< from (r_i + r_j)/2 to the centroid of their face
   SPHVERIFY_INLINE RadialVector<Dim> gradient_i() const {  ///< grad_i W(r_ij, h_i)
-    return {Pack::load(row_.radial_i + k_), separation()};
+    return {Pack::load(batch_.radial_i + k_), separation()};
   }
   SPHVERIFY_INLINE RadialVector<Dim> gradient_j() const {  ///< grad_i W(r_ij, h_j)
-    return {Pack::load(row_.radial_j + k_), separation()};
+    return {Pack::load(batch_.radial_j + k_), separation()};
   }
-  SPHVERIFY_INLINE Pack h() const {                                                         ///< of the pair
-    if (row_.slots.h < 0) return row_.h;
-    return Pack(0.5) * (Pack(row_.h) + ReadColumns{row_.columns + k_}(row_.slots.h));
+  SPHVERIFY_INLINE Pack h() const {  ///< of the pair
+    if (batch_.pair_h == nullptr) return batch_.h;
+    return Pack::load(batch_.pair_h + k_);
   }
-  SPHVERIFY_INLINE double own_h() const { return row_.h; }
+  /// `x` where the two are within the support, else 0: a list may hold pairs that are not near yet.
+  SPHVERIFY_INLINE Pack where_near(Pack x) const { return select(distance() < Pack(batch_.support_ratio) * h(), x, 0.0); }
 
  private:
-  Row const& row_;
+  SPHVERIFY_INLINE PackVector<Dim> vector(double const* columns) const {
+    PackVector<Dim> value;
+    for (std::size_t n = 0; n < Dim; ++n) value.component[n] = Pack::load(columns + n * batch_.capacity + k_);
+    return value;
+  }
+
+  Batch const& batch_;
   std::size_t k_;
-};
-
-/// The same in registers.
-template <int Dim>
-struct KernelRegisters {
-  PackVector<Dim> r;
-  Pack squared, length, slope, weight;
-  Pack inverse;  ///< of the divisor that one of the terms has
-  PackVector<Dim> face;
-  double common_h;
-
-  SPHVERIFY_INLINE Pack radial() const { return slope; }
-  SPHVERIFY_INLINE Pack value() const { return weight; }
-  SPHVERIFY_INLINE Pack distance() const { return length; }
-  SPHVERIFY_INLINE Pack squared_distance() const { return squared; }
-  SPHVERIFY_INLINE Divisor with_inverse(Pack divisor) const { return {divisor, inverse}; }
-  SPHVERIFY_INLINE PackVector<Dim> separation() const { return r; }
-  SPHVERIFY_INLINE RadialVector<Dim> gradient() const { return {slope, r}; }
-  SPHVERIFY_INLINE PackVector<Dim> offset() const { return face; }
-  SPHVERIFY_INLINE RadialVector<Dim> gradient_i() const { return gradient(); }
-  SPHVERIFY_INLINE RadialVector<Dim> gradient_j() const { return gradient(); }
-  SPHVERIFY_INLINE Pack h() const { return common_h; }
-  SPHVERIFY_INLINE double own_h() const { return common_h; }
 };
 
 /// The kernel as a scheme may use it: what it does not declare (PassInfo::kernel) may not have been gathered, and does not

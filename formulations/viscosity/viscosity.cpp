@@ -81,7 +81,7 @@ void add_viscosity(Viscosity const& viscosity, Particles<Dim> const& particles, 
   for (int k = 0; k < Dim; ++k) out.push_back(rates.acceleration.component(k).data());
   out.push_back(rates.heating.data());
   out.push_back(rates.largest_mu.data());
-  SweepKernels const& loops = sweep_kernels<Dim>(particles.kernel().id());
+  SweepLoops const& loops = loops_of_sweep<Dim>();
   bool const is_monaghan = std::holds_alternative<MonaghanViscosity>(viscosity);
   std::visit(
       [&](auto const& law) {

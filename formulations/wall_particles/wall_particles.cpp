@@ -265,7 +265,7 @@ void add_density_behind(WallParticles<Dim>& behind, WallContacts<Dim> const& con
                         std::vector<double>& density) {
   PairSweep<Dim> sweep(behind.pairs, domain, threads);
   std::vector<double> sum(behind.particles.size());
-  sweep.add(sweep_kernels<Dim>(behind.particles.kernel().id()).density, {Field::mass}, {}, sum);
+  sweep.add(loops_of_sweep<Dim>().density, {Field::mass}, {}, sum);
   sweep.run(behind.particles);
   for (std::size_t c = 0; c < contacts.size(); ++c) density[contacts.particle[c]] += sum[c];
 }

@@ -7,7 +7,6 @@
 #include "cases/support/case.hpp"
 #include "formulations/kernels/kernel_of.hpp"
 #include "formulations/scheme_operator.hpp"
-#include "formulations/sweep/dispatch.hpp"
 #include "formulations/wall_particles/wall_treatment.hpp"
 #include "harness/study/context.hpp"
 
@@ -28,22 +27,13 @@ int program_main(int argc, char** argv, Program const& program);
 template <class Scheme>
 void add_scheme() {
   add_scheme(scheme_part<Scheme>());
-  auto const add_loops = []<int Dim>() {
-    auto& all = added_fused_loops<Dim>();
-    for (FusedWithKernel const& one : fused_loops_of_scheme<Scheme, Dim>()) all.push_back(one);
-  };
-  add_loops.template operator()<1>();
-  add_loops.template operator()<2>();
-  add_loops.template operator()<3>();
   note_added_part(Scheme::info.id);
 }
 
-/// @tparam Kernel what formulations/kernels/scaled.hpp describes
-/// @tparam Schemes tuple of those for which loops with this kernel were made
-template <template <int> class Kernel, class Schemes>
+/// @tparam Kernel what formulations/kernels/scaled.hpp describes; a file that CMake made has it over columns of distances
+template <template <int> class Kernel>
 void add_kernel() {
   add_kernel(kernel_part<Kernel>());
-  add_kernel_loops(loops_of_kernel<Kernel, Schemes>());
   note_added_part(Kernel<1>::id);
 }
 

@@ -24,6 +24,8 @@ struct OdeSystem {
   std::function<void(double t, double const* y, double* dydt)> rate;
   std::function<void(double t, double const* y, double* dqdt)> quadrature;
 
+  int threads = 1;  ///< for the vectors of runge-kutta; results are the same bits at any
+
   /// An explicit adaptive method gives up where a thousand steps are below it on average; 0: it goes on.
   double smallest_step = 0.0;
 
@@ -72,8 +74,8 @@ struct OdeResult {
 OdeResult integrate_bdf(OdeSystem const& system, std::vector<double> y, double final_time,
                         Tolerances tolerances);
 
-/// Explicit adaptive Runge-Kutta of order 5 (Dormand & Prince 1980; SUNDIALS ARKODE).
-/// Asks for a quadrature only right after the rate at the same state.
+/// Explicit adaptive Runge-Kutta of order 5 (Dormand & Prince 1980; of our own, since a library's keeps every stage: docs/decisions/0022).
+/// Keeps six copies of the unknowns, eight if there are samples. A rate that is no number ends the run at once. Asks for a quadrature only right after the rate at the same state.
 OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time,
                                 Tolerances tolerances);
 

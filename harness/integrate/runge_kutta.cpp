@@ -1,125 +1,236 @@
-#include <arkode/arkode_erkstep.h>
-
+#include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
+#include "formulations/basics/parallel.hpp"
 #include "harness/integrate/ode.hpp"
 #include "harness/integrate/samples.hpp"
-#include "harness/integrate/sundials_handles.hpp"
 
 namespace sphverify {
 
 namespace {
 
-struct DestroyErk {
-  void operator()(void* memory) const { ERKStepFree(&memory); }
-};
+// Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19, RK5(4)7M; the last stage is the first of the next step.
+constexpr double c2 = 1.0 / 5.0, c3 = 3.0 / 10.0, c4 = 4.0 / 5.0, c5 = 8.0 / 9.0;
+constexpr double a21 = 1.0 / 5.0;
+constexpr double a31 = 3.0 / 40.0, a32 = 9.0 / 40.0;
+constexpr double a41 = 44.0 / 45.0, a42 = -56.0 / 15.0, a43 = 32.0 / 9.0;
+constexpr double a51 = 19372.0 / 6561.0, a52 = -25360.0 / 2187.0, a53 = 64448.0 / 6561.0, a54 = -212.0 / 729.0;
+constexpr double a61 = 9017.0 / 3168.0, a62 = -355.0 / 33.0, a63 = 46732.0 / 5247.0, a64 = 49.0 / 176.0,
+                 a65 = -5103.0 / 18656.0;
+constexpr double b1 = 35.0 / 384.0, b3 = 500.0 / 1113.0, b4 = 125.0 / 192.0, b5 = -2187.0 / 6784.0, b6 = 11.0 / 84.0;
+/// Of order 5 less of order 4: the estimate of the error.
+constexpr double e1 = 71.0 / 57600.0, e3 = -71.0 / 16695.0, e4 = 71.0 / 1920.0, e5 = -17253.0 / 339200.0, e6 = 22.0 / 525.0,
+                 e7 = -1.0 / 40.0;
+/// Dense output of order 4 (Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, 2nd ed., Section II.6).
+constexpr double d1 = -12715105075.0 / 11282082432.0, d3 = 87487479700.0 / 32700410799.0, d4 = -10690763975.0 / 1880347072.0,
+                 d5 = 701980252875.0 / 199316789632.0, d6 = -1453857185.0 / 822651844.0, d7 = 69997945.0 / 29380423.0;
+
+/// How steps follow errors (the same book, Section II.4; PI control, Section IV.2).
+constexpr double safety = 0.9, least_factor = 0.2, most_factor = 10.0, of_error = 0.7 / 5.0, of_error_before = 0.4 / 5.0;
 
 /// Steps that are on average too short, over so many of them, will not end the run. A few may well be short:
 /// a rate that jumps (a particle comes into a wall's reach) is passed by steps whose error does not count.
 constexpr std::uint64_t steps_to_judge = 1000;
+/// Below this part of the time that was reached a step changes no time.
+constexpr double lost_in_rounding = 1e-15;
 
-/// Quadratures follow the unknowns in one vector; nothing depends on them.
-int explicit_rate(realtype t, N_Vector y, N_Vector dydt, void* user) {
-  int const status = CallbackData::guarded(user, [&](OdeSystem const& system) {
-    double const* const values = N_VGetArrayPointer(y);
-    double* const out = N_VGetArrayPointer(dydt);
-    system.rate(t, values, out);
-    if (system.quadratures > 0) system.quadrature(t, values, out + system.size);
-  });
-  return CallbackData::require_finite(user, status, dydt);
-}
-
-/// What its callbacks get.
-struct ExplicitData : CallbackData {
-  Tolerances tolerances;
+/// A rate is no number, and no step however short goes on from there.
+struct NotFinite {
+  std::size_t unknown;
 };
 
-/// What errors are multiplied with, found where it is asked for: a vector of absolute tolerances, and the solver's copy of it,
-/// would be two more of many.
-int error_weights(N_Vector y, N_Vector weights, void* user) {
-  auto const& data = *static_cast<ExplicitData const*>(static_cast<CallbackData const*>(user));
-  std::vector<double> const& scales = data.system.scales;
-  double const* const values = N_VGetArrayPointer(y);
-  double* const out = N_VGetArrayPointer(weights);
-  auto const size = static_cast<std::size_t>(N_VGetLength(y));
-  for (std::size_t k = 0; k < size; ++k) {
-    double const scale = k < scales.size() ? scales[k] : 1.0;
-    out[k] = 1.0 / (data.tolerances.relative * std::abs(values[k]) + data.tolerances.absolute * scale);
+/// The unknowns of one run, followed by quadratures, on which nothing depends; and its steps. Six vectors in all: as soon as
+/// four stages are known all that later ones take of them is added up, in their place.
+class DormandPrince {
+ public:
+  DormandPrince(OdeSystem const& system, std::vector<double> y, Tolerances tolerances)
+      : system_(system),
+        tolerances_(tolerances),
+        size_(system.size + system.quadratures),
+        y_(std::move(y)),
+        stage_(size_),
+        sum1_(size_),
+        sum2_(size_),
+        sum3_(size_),
+        rate_(size_) {
+    y_.resize(size_, 0.0);
+    if (system.sample) {
+      first_.resize(size_);
+      dense_.resize(size_);
+    }
   }
-  return 0;
-}
+
+  void begin() { rate(0.0, y_, sum1_); }
+
+  double const* state() const { return y_.data(); }
+  double const* quadratures() const { return y_.data() + system_.size; }
+  std::size_t bytes() const { return sizeof(double) * (6 * size_ + first_.size() + dense_.size() + system_.scales.size()); }
+  std::vector<double> take() && { return std::move(y_); }
+
+  /// From how far apart a step by Euler's rule finds the rates (the same book, Section II.4).
+  double first_step(double longest) {
+    double const of_state = norm([&](std::size_t k) { return y_[k]; });
+    double const of_rate = norm([&](std::size_t k) { return sum1_[k]; });
+    double const small = 1e-5;
+    double const guess = std::min(longest, of_state < small || of_rate < small ? 1e-6 * longest : 0.01 * of_state / of_rate);
+    for_each([&](std::size_t k) { stage_[k] = y_[k] + guess * sum1_[k]; });
+    rate(guess, stage_, rate_);
+    double const curvature = norm([&](std::size_t k) { return rate_[k] - sum1_[k]; }) / guess;
+    double const most = std::max(of_rate, curvature);
+    double const by_error = most <= 1e-15 ? std::max(1e-6 * longest, 1e-3 * guess) : std::pow(0.01 / most, 0.2);
+    return std::min({longest, 100.0 * guess, by_error});
+  }
+
+  /// Tries a step from `t`: the error of what would be the state, over the tolerance. `accept` or `reject` goes on from there.
+  double attempt(double t, double dt) {
+    auto &k1 = sum1_, &k2 = sum2_, &k3 = sum3_, &k4 = rate_;
+    if (system_.sample) first_ = k1;
+    for_each([&](std::size_t k) { stage_[k] = y_[k] + dt * (a21 * k1[k]); });
+    rate(t + c2 * dt, stage_, k2);
+    for_each([&](std::size_t k) { stage_[k] = y_[k] + dt * (a31 * k1[k] + a32 * k2[k]); });
+    rate(t + c3 * dt, stage_, k3);
+    for_each([&](std::size_t k) { stage_[k] = y_[k] + dt * (a41 * k1[k] + a42 * k2[k] + a43 * k3[k]); });
+    rate(t + c4 * dt, stage_, k4);
+    // All that is still to come of these four: of the sixth stage, of the new state, of the error.
+    auto &sixth = sum1_, &next = sum2_, &error = sum3_;
+    for_each([&](std::size_t k) {
+      double const one = k1[k], two = k2[k], three = k3[k], four = k4[k];
+      stage_[k] = y_[k] + dt * (a51 * one + a52 * two + a53 * three + a54 * four);
+      sixth[k] = a61 * one + a62 * two + a63 * three + a64 * four;
+      next[k] = b1 * one + b3 * three + b4 * four;
+      error[k] = e1 * one + e3 * three + e4 * four;
+      if (system_.sample) dense_[k] = d1 * one + d3 * three + d4 * four;
+    });
+    rate(t + c5 * dt, stage_, rate_);
+    for_each([&](std::size_t k) {
+      stage_[k] = y_[k] + dt * (sixth[k] + a65 * rate_[k]);
+      next[k] += b5 * rate_[k];
+      error[k] += e5 * rate_[k];
+      if (system_.sample) dense_[k] += d5 * rate_[k];
+    });
+    rate(t + dt, stage_, rate_);
+    for_each([&](std::size_t k) {
+      stage_[k] = y_[k] + dt * (next[k] + b6 * rate_[k]);
+      error[k] += e6 * rate_[k];
+      if (system_.sample) dense_[k] += d6 * rate_[k];
+    });
+    rate(t + dt, stage_, rate_);
+    return norm([&](std::size_t k) { return dt * (error[k] + e7 * rate_[k]); }, &stage_);
+  }
+
+  /// The step is taken; `state_at` knows it until the next attempt.
+  void accept() {
+    std::swap(y_, stage_);
+    std::swap(sum1_, rate_);
+  }
+  /// The state is as it was before; its rate is asked for again.
+  void reject(double t) { rate(t, y_, sum1_); }
+
+  /// Within the last step, which began with `begin` and took dt.
+  void state_at(double t, double begin, double dt, double* values) const {
+    double const theta = (t - begin) / dt;
+    auto const &before = stage_, &after = y_, &last_rate = sum1_;
+    for (std::size_t k = 0; k < size_; ++k) {
+      double const change = after[k] - before[k];
+      double const bent = dt * first_[k] - change;
+      double const twisted = change - dt * last_rate[k] - bent;
+      double const fourth = dt * (dense_[k] + d7 * last_rate[k]);
+      values[k] = before[k] + theta * (change + (1.0 - theta) * (bent + theta * (twisted + (1.0 - theta) * fourth)));
+    }
+  }
+
+ private:
+  void for_each(auto const& row) const { for_each_row(size_, system_.threads, row); }
+
+  /// Throws NotFinite.
+  void rate(double t, std::vector<double> const& at, std::vector<double>& out) const {
+    system_.rate(t, at.data(), out.data());
+    if (system_.quadratures > 0) system_.quadrature(t, at.data(), out.data() + system_.size);
+    if (auto const unknown = first_row(size_, system_.threads, [&](std::size_t k) { return !std::isfinite(out[k]); }))
+      throw NotFinite{*unknown};
+  }
+
+  /// Root mean square of value(k) over what is tolerated beside the state, or beside the larger of it and another.
+  double norm(auto const& value, std::vector<double> const* other = nullptr) const {
+    double const sum = sum_of_rows(size_, system_.threads, 0.0, [&](std::size_t k) {
+      double const scale = k < system_.scales.size() ? system_.scales[k] : 1.0;
+      double const size = other ? std::max(std::abs(y_[k]), std::abs((*other)[k])) : std::abs(y_[k]);
+      double const part = value(k) / (tolerances_.relative * size + tolerances_.absolute * scale);
+      return part * part;
+    });
+    return std::sqrt(sum / static_cast<double>(size_));
+  }
+
+  OdeSystem const& system_;
+  Tolerances tolerances_;
+  std::size_t size_;
+  std::vector<double> y_, stage_;
+  std::vector<double> sum1_, sum2_, sum3_;  ///< rates of the first three stages, then sums; the first is that at the step's beginning
+  std::vector<double> rate_;                ///< of the last stage
+  std::vector<double> first_, dense_;       ///< for samples: the rate at the step's beginning, the sum of dense output
+};
 
 }  // namespace
 
-OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time,
-                                Tolerances tolerances) {
-  SundialsContext const context;
-  ExplicitData data{{system}, tolerances};
+OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, double final_time, Tolerances tolerances) {
   OdeResult result;
-  y.resize(system.size + system.quadratures, 0.0);
-  VectorHandle const state = wrap(y.size(), y.data(), context);
-
-  std::unique_ptr<void, DestroyErk> const solver(ERKStepCreate(explicit_rate, 0.0, state.get(), context));
-  if (!solver) throw std::bad_alloc();
-  void* const erk = solver.get();
-  require_sundials(ERKStepSetUserData(erk, static_cast<CallbackData*>(&data)), "ERKStepSetUserData");
-  require_sundials(ERKStepSetTableNum(erk, ARKODE_DORMAND_PRINCE_7_4_5), "ERKStepSetTableNum");
-  require_sundials(ERKStepWFtolerances(erk, error_weights), "ERKStepWFtolerances");
-  // The best interpolation keeps two more vectors. It serves samples alone; at the end of a step any is exact.
-  if (system.sample_times.empty())
-    require_sundials(ERKStepSetInterpolantDegree(erk, 3), "ERKStepSetInterpolantDegree");
-  require_sundials(ERKStepSetStopTime(erk, final_time), "ERKStepSetStopTime");
-  require_sundials(ERKStepSetErrHandlerFn(
-                       erk, [](int, char const*, char const*, char*, void*) {}, nullptr),
-                   "ERKStepSetErrHandlerFn");
-
-  Samples samples(system);
-  samples.pass(0.0, y.data(), y.data() + system.size);
-  auto const state_at = [&](double t, double* values) {
-    VectorHandle const then = wrap(y.size(), values, context);
-    require_sundials(ERKStepGetDky(erk, t, 0, then.get()), "ERKStepGetDky");
-    data.rethrow();
+  auto const fail = [&](OdeOutcome outcome, std::string reason) {
+    result.outcome = outcome;
+    result.reason = std::move(reason);
   };
-  double judged = 0.0;  // the time up to which steps have been judged
-  while (result.time < final_time) {
-    double const before = result.time;
-    data.begin_step();
-    int const flag = ERKStepEvolve(erk, final_time, state.get(), &result.time, ARK_ONE_STEP);
-    data.rethrow();
-    if (flag < 0) {
-      data.rethrow_failure();
-      std::unique_ptr<char, decltype(&std::free)> const name(ERKStepGetReturnFlagName(flag), &std::free);
-      result.time = before;  // it was a stage's
-      give_up(data.not_finite, std::string("the explicit integrator gave up (") + name.get() + ")", result);
-      break;
-    }
-    if (result.time == before) {
-      // Up to where a rate is no number.
-      give_up(data.not_finite_in_step, "the explicit integrator's step shrank to nothing", result);
-      break;
-    }
-    ++result.steps;
-    if (result.steps % steps_to_judge == 0) {
-      if (result.time - judged < steps_to_judge * system.smallest_step) {
-        result.outcome = OdeOutcome::failed;
-        result.reason = "the explicit integrator's step collapsed";
+  DormandPrince solver(system, std::move(y), tolerances);
+  try {
+    solver.begin();
+    Samples samples(system);
+    samples.pass(0.0, solver.state(), solver.quadratures());
+    double dt = solver.first_step(final_time);
+    double error_before = 1e-4;
+    double judged = 0.0;  // the time up to which steps have been judged
+    while (result.time < final_time) {
+      double const begin = result.time;
+      bool const is_last = dt >= final_time - begin;
+      if (is_last) dt = final_time - begin;
+      if (dt <= lost_in_rounding * begin) {
+        fail(OdeOutcome::failed, "the explicit integrator's step shrank to nothing");
         break;
       }
-      judged = result.time;
+      double const error = solver.attempt(begin, dt);
+      double const factor = error > 0.0 ? safety * std::pow(error, -of_error) * std::pow(error_before, of_error_before) : most_factor;
+      if (!(error <= 1.0)) {
+        solver.reject(begin);
+        dt *= std::max(least_factor, std::min(safety, safety * std::pow(error, -0.2)));
+        continue;
+      }
+      solver.accept();
+      result.time = is_last ? final_time : begin + dt;
+      ++result.steps;
+      if (result.steps % steps_to_judge == 0) {
+        if (result.time - judged < steps_to_judge * system.smallest_step) {
+          fail(OdeOutcome::failed, "the explicit integrator's step collapsed");
+          break;
+        }
+        judged = result.time;
+      }
+      samples.pass(result.time, solver.state(), solver.quadratures(),
+                   [&](double t, double* values) { solver.state_at(t, begin, dt, values); });
+      result.reason = system.monitor ? system.monitor(result.time, solver.state(), solver.quadratures()) : "";
+      if (!result.reason.empty()) {
+        result.outcome = OdeOutcome::stopped;
+        break;
+      }
+      dt *= std::clamp(factor, least_factor, most_factor);
+      error_before = std::max(error, 1e-4);
     }
-    samples.pass(result.time, y.data(), y.data() + system.size, state_at);
-    result.reason = system.monitor ? system.monitor(result.time, y.data(), y.data() + system.size) : "";
-    if (!result.reason.empty()) {
-      result.outcome = OdeOutcome::stopped;
-      break;
-    }
+  } catch (NotFinite const& found) {
+    fail(OdeOutcome::not_finite, "the explicit integrator met a rate that is not finite");
+    result.not_finite = found.unknown;
   }
-  long int numbers = 0, integers = 0;
-  require_sundials(ERKStepGetWorkSpace(erk, &numbers, &integers), "ERKStepGetWorkSpace");
-  result.bytes = sizeof(double) * (static_cast<std::size_t>(numbers) + y.size() + system.scales.size());
-  result.quadratures.assign(y.begin() + static_cast<std::ptrdiff_t>(system.size), y.end());
-  y.resize(system.size);
-  result.y = std::move(y);
+  result.bytes = solver.bytes();
+  result.y = std::move(solver).take();
+  result.quadratures.assign(result.y.begin() + static_cast<std::ptrdiff_t>(system.size), result.y.end());
+  result.y.resize(system.size);
   return result;
 }
 

@@ -55,8 +55,8 @@ inline VectorHandle wrap(std::size_t size, double* data, SUNContext context) {
 
 /// What a SUNDIALS callback gets as user data. Exceptions must not cross the library's C frames: they are
 /// kept here, the callback fails, and `rethrow` lets them go on.
-/// A RateFailure, or a rate that is not finite, is a recoverable failure: an implicit integrator tries a
-/// shorter step, and gives up in the end; the explicit one gives up at once.
+/// A RateFailure, or a rate that is not finite, is a recoverable failure: the integrator tries a shorter step,
+/// and gives up in the end.
 struct CallbackData {
   OdeSystem const& system;
   std::exception_ptr error = nullptr;

@@ -154,6 +154,7 @@ OdeResult MovingGas<Dim>::integrate(std::string const& method, Tolerances tolera
   } else {
     scene_.evaluate(0.0, initial.data());
     system.smallest_step = unresolved * tightest_limit().step;
+    system.threads = scene_.threads();
     system.scales = scene_.scales();
     // Budgets add up what the whole gas exchanges; a tolerance in proportion to it does not rule the step.
     system.scales.resize(system.size + system.quadratures, std::numeric_limits<double>::max() * 1e-20);

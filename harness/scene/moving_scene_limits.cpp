@@ -105,7 +105,7 @@ double MovingScene<Dim>::largest_approach() const {
     return largest(viscous_.largest_mu) / h(0);
   std::vector<double> rates_of_approach(particles_.size());
   PairSweep<Dim> sweep(geometry().neighbours, geometry().domain, threads_);
-  sweep.add(sweep_kernels<Dim>(particles_.kernel().id()).approach, {Field::velocity}, {}, rates_of_approach);
+  sweep.add(loops_of_sweep<Dim>().approach, {Field::velocity}, {}, rates_of_approach);
   sweep.run(particles_);
   return largest(rates_of_approach);
 }

@@ -64,7 +64,7 @@ double estimated_bytes(CaseKind kind, std::string_view integrator, AnyProblem co
         // with a scene of its own after the measured one's is gone.
         double const per_pair = moves(kind) ? 14.5 : (kind == CaseKind::rates ? 5.3 : 15.0);
         // Fields, records of the sweep, and the integrator's copies of all unknowns.
-        double const copies = integrator == "leapfrog" ? 2.5 : 18.0;
+        double const copies = integrator == "leapfrog" ? 2.5 : 6.5;
         double const copied =
             moves(kind) ? copies * (2.0 * Dim + 2.0) : (kind == CaseKind::rates ? 0.0 : 12.0);
         double const per_particle = (moves(kind) ? 350.0 : 215.0) + 8.0 * copied;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <vector>
 
 #include "formulations/pair_geometry.hpp"
@@ -15,42 +14,42 @@ struct GatheredPairs {
   VectorField<Dim> separation;         ///< r_i - r_j [m]
   std::vector<double> distance;        ///< [m]
   std::vector<double> radial;          ///< W'(r)/r  [m^-(Dim+2)]
-  bool whole_packs = true;             ///< parts of rows are filled up to them
-  bool idle_lanes_add_nothing = true;  ///< those that fill a part up have no slope
+  bool whole_packs = true;             ///< rows are filled up to them
+  bool idle_lanes_add_nothing = true;  ///< those that fill a row up have no slope
 
   Vector<Dim> gradient(std::size_t pair) const { return radial[pair] * separation[pair]; }
 };
 
-/// A term of a sweep that copies what it sees. Rows come one after the other, each in parts.
+/// A term of a sweep that copies what it sees, wherever rows lie in batches.
 template <int Dim>
 class PairProbe {
  public:
   PairProbe(NeighbourList const& list, GatheredPairs<Dim>& out) : list_(list), out_(out) {}
 
-  static void look(Row const& row, void const* probe, double*) {
-    (*static_cast<PairProbe* const*>(probe))->copy(row);
-  }
+  static void look(Batch const& batch, RowTerm const* term) { (*static_cast<PairProbe* const*>(term->parameters))->copy(batch); }
 
  private:
-  void copy(Row const& row) {
-    while (list_.first[row_ + 1] == next_) ++row_;
-    std::size_t const count = std::min(part_size, list_.first[row_ + 1] - next_);
-    for (std::size_t k = 0; k < count; ++k, ++next_) {
-      Vector<Dim> r;
-      for (int n = 0; n < Dim; ++n) r[n] = row.columns[static_cast<std::size_t>(n) * part_size + k];
-      out_.separation.set(next_, r);
-      out_.distance[next_] = row.distance[k];
-      out_.radial[next_] = row.radial[k];
+  void copy(Batch const& batch) {
+    for (std::size_t row = 0; row < batch.rows; ++row) {
+      std::size_t const listed = list_.first[batch.begin + row];
+      std::size_t const count = list_.first[batch.begin + row + 1] - listed;
+      std::size_t const from = batch.first[row];
+      std::size_t const padded = batch.first[row + 1] - from;
+      for (std::size_t k = 0; k < count; ++k) {
+        Vector<Dim> r;
+        for (std::size_t n = 0; n < Dim; ++n) r[static_cast<int>(n)] = batch.separation[n * batch.capacity + from + k];
+        out_.separation.set(listed + k, r);
+        out_.distance[listed + k] = batch.distance[from + k];
+        out_.radial[listed + k] = batch.radial[from + k];
+      }
+      for (std::size_t k = count; k < padded; ++k)
+        out_.idle_lanes_add_nothing = out_.idle_lanes_add_nothing && batch.radial[from + k] == 0.0;
+      out_.whole_packs = out_.whole_packs && padded % 4 == 0 && padded >= count && padded < count + 4;
     }
-    for (std::size_t k = count; k < row.count; ++k) {
-      out_.idle_lanes_add_nothing = out_.idle_lanes_add_nothing && row.radial[k] == 0.0;
-    }
-    out_.whole_packs = out_.whole_packs && row.count % 4 == 0 && row.count >= count && row.count < count + 4;
   }
 
   NeighbourList const& list_;
   GatheredPairs<Dim>& out_;
-  std::size_t row_ = 0, next_ = 0;  ///< the pair that comes next
 };
 
 template <int Dim>
@@ -61,7 +60,8 @@ GatheredPairs<Dim> gathered_pairs(Particles<Dim> const& particles, PairGeometry<
   PairProbe<Dim> probe(geometry.neighbours, gathered);
   PairProbe<Dim>* const parameters = &probe;
   PairSweep<Dim> sweep(geometry.neighbours, geometry.domain, 1);
-  sweep.add(PairProbe<Dim>::look, {}, {KernelWeight::gradient, KernelWeight::radial}, std::vector<double*>{},
+  TermLoops const look{.sum = PairProbe<Dim>::look};
+  sweep.add(look, {}, {KernelWeight::gradient, KernelWeight::radial}, std::vector<double*>{},
             &parameters);
   sweep.run(particles);
   return gathered;

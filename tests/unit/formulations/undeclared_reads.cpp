@@ -50,7 +50,7 @@ BOOST_AUTO_TEST_CASE(a_view_of_a_particle_has_what_is_declared_and_nothing_else)
 
 BOOST_AUTO_TEST_CASE(a_kernel_has_the_gradients_that_are_declared) {
   using undeclared_reads_test::DeclaredKernel;
-  using Columns = undeclared_reads_test::KernelColumns<2>;
+  using Columns = undeclared_reads_test::KernelOfPairs<2>;
   using Usual = DeclaredKernel<KernelWeightSet{KernelWeight::gradient}, Columns>;
   using Own = DeclaredKernel<KernelWeightSet{KernelWeight::own_gradients}, Columns>;
   BOOST_TEST((has_gradient<Usual> && !has_own_gradients<Usual>));
@@ -71,8 +71,8 @@ constexpr bool reads_offset = requires(View const& one) { one.offset(); };
 
 BOOST_AUTO_TEST_CASE(faces_of_cells_are_read_where_that_is_declared) {
   using namespace undeclared_reads_test;
-  BOOST_TEST((reads_offset<DeclaredKernel<KernelWeightSet{KernelWeight::face_offset}, KernelColumns<2>>>));
-  BOOST_TEST(!(reads_offset<DeclaredKernel<KernelWeightSet{KernelWeight::gradient, KernelWeight::radial}, KernelColumns<2>>>));
+  BOOST_TEST((reads_offset<DeclaredKernel<KernelWeightSet{KernelWeight::face_offset}, KernelOfPairs<2>>>));
+  BOOST_TEST(!(reads_offset<DeclaredKernel<KernelWeightSet{KernelWeight::gradient, KernelWeight::radial}, KernelOfPairs<2>>>));
   BOOST_TEST((reads_offset<WallView<3, BoundaryValueSet{}, true>>));
   BOOST_TEST(!(reads_offset<WallView<3, BoundaryValueSet{}>>));
 }

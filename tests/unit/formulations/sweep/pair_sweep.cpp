@@ -5,12 +5,12 @@
 #include <functional>
 #include <numeric>
 #include <set>
-#include <span>
 #include <string>
 
 #include "formulations/all.hpp"
 #include "formulations/density/continuity.hpp"
 #include "formulations/density/density.hpp"
+#include "formulations/kernels/all.hpp"
 #include "formulations/viscosity/viscosity.hpp"
 #include "tests/support/dense.hpp"
 #include "tests/support/gathered_pairs.hpp"
@@ -49,8 +49,8 @@ void vary_lengths(Particles<Dim>& particles, Random& random) {
   for (double& h : particles.smoothing_lengths()) h *= random.uniform(0.6, 1.0);
 }
 
-/// Of rows: nothing, less than a pack, packs and a rest, a whole part, parts and a rest.
-std::vector<std::size_t> const row_lengths{0, 1, 3, 4, 5, 8, 23, part_size, part_size + 1, 2 * part_size + 5};
+/// Of rows: nothing, less than a pack, packs and a rest, just what a batch holds, more.
+std::vector<std::size_t> const row_lengths{0, 1, 3, 4, 5, 8, 23, batch_pairs, batch_pairs + 1};
 
 /// Clusters out of reach of each other. Within one all are neighbours, so that a row is as long as its
 /// cluster less one. Particles of a cluster do not follow each other.
@@ -102,64 +102,103 @@ constexpr std::string_view cubic = "cubic-spline";
 /// A term of the sweep, by the name of what it sums.
 struct Term {
   std::string name;
-  RowFunction sum;
+  TermLoops const* loops;
   FieldSet reads;
   KernelWeightSet kernel;
   int components;
   void const* parameters;
 };
 
-/// The loops of the schemes, in the order of AllSchemes, for the instruction set of a kernel's.
+/// The loops of an instruction set.
 template <int Dim>
-std::vector<SchemeLoops> scheme_loops_beside(SweepKernels const& kernels) {
-  [[maybe_unused]] bool const is_avx2 = std::string_view(kernels.instruction_set) == "avx2";
-  auto const loops = [&](auto scheme) -> SchemeLoops {
+struct InstructionSet {
+  SweepLoops const& sweep;
+  std::vector<SchemeLoops const*> schemes;  ///< in the order of AllSchemes, then the continuity equation
+  std::vector<std::pair<std::string_view, KernelColumns>> kernels;
+
+  KernelColumns kernel(std::string_view id) const {
+    return std::ranges::find(kernels, id, [](auto const& one) { return one.first; })->second;
+  }
+};
+#define SPHVERIFY_TEST_SET(set)                                                                                              \
+  template <int Dim>                                                                                                         \
+  InstructionSet<Dim> set##_loops() {                                                                                        \
+    auto schemes = std::apply(                                                                                               \
+        [](auto... scheme) { return std::vector<SchemeLoops const*>{&set::scheme_loops<decltype(scheme), Dim>()...}; },      \
+        AllSchemes{});                                                                                                       \
+    schemes.push_back(&set::scheme_loops<ContinuityDensity, Dim>());                                                         \
+    auto const kernels = []<template <int> class... Kernels>(KernelPack<Kernels...>) {                                      \
+      return std::vector<std::pair<std::string_view, KernelColumns>>{                                                        \
+          {Kernels<Dim>::id, set::kernel_columns<Kernels<Dim>, Dim>()}...};                                                  \
+    }(AllKernels{});                                                                                                         \
+    return {set::sweep_loops<Dim>(), schemes, kernels};                                                                      \
+  }
+SPHVERIFY_TEST_SET(baseline)
 #if defined(__x86_64__)
-    if (is_avx2) return avx2::scheme_loops<decltype(scheme), Dim>();
+SPHVERIFY_TEST_SET(avx2)
 #endif
-    return baseline::scheme_loops<decltype(scheme), Dim>();
-  };
-  auto all = std::apply([&](auto... schemes) { return std::vector<SchemeLoops>{loops(schemes)...}; }, AllSchemes{});
-  all.push_back(loops(ContinuityDensity{}));
-  return all;
+
+bool has_avx2() {
+#if defined(__x86_64__)
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
+#else
+  return false;
+#endif
+}
+
+/// What sweeps take.
+template <int Dim>
+InstructionSet<Dim> best_loops() {
+#if defined(__x86_64__)
+  if (has_avx2()) return avx2_loops<Dim>();
+#endif
+  return baseline_loops<Dim>();
 }
 
 template <int Dim>
-std::vector<Term> all_terms(SweepKernels const& kernels = sweep_kernels<Dim>(cubic)) {
+std::vector<InstructionSet<Dim>> all_instruction_sets() {
+  std::vector<InstructionSet<Dim>> sets{baseline_loops<Dim>()};
+#if defined(__x86_64__)
+  if (has_avx2()) sets.push_back(avx2_loops<Dim>());
+#endif
+  return sets;
+}
+
+template <int Dim>
+std::vector<Term> all_terms(InstructionSet<Dim> const& set = best_loops<Dim>()) {
   std::vector<Term> terms;
   auto const infos = all_scheme_infos();
-  std::vector<SchemeLoops> const of_schemes = scheme_loops_beside<Dim>(kernels);
   for (std::size_t s = 0; s < infos.size(); ++s) {
     SchemeInfo const& info = *infos[s];
     if (reads_face_offsets(info)) continue;  // has no sense with a kernel; tested on cells
     FieldSet written{Field::mass};
-    auto const& loops = of_schemes[s].passes;
+    auto const& loops = set.schemes[s]->passes;
     std::size_t n = 0;
     for (PassInfo const& pass : info.first_passes) {
       int const components = sphverify::info(pass.writes).components(Dim);
-      terms.push_back({std::string(info.id) + " " + std::string(pass.name), loops[n++], pass.reads | written, pass.kernel,
+      terms.push_back({std::string(info.id) + " " + std::string(pass.name), &loops[n++], pass.reads | written, pass.kernel,
                        components, nullptr});
       written.insert(pass.writes);
     }
     int const components = info.rate == Rate::acceleration ? Dim : 1;
-    terms.push_back({std::string(info.id), loops[n], info.reads | written, info.kernel, components, nullptr});
+    terms.push_back({std::string(info.id), &loops[n], info.reads | written, info.kernel, components, nullptr});
   }
-  terms.push_back({"continuity", of_schemes.back().passes[0], ContinuityDensity::info.reads | FieldSet{Field::mass},
+  terms.push_back({"continuity", &set.schemes.back()->passes[0], ContinuityDensity::info.reads | FieldSet{Field::mass},
                    ContinuityDensity::info.kernel, 1, nullptr});
-  terms.push_back({"density", kernels.density, {Field::mass}, {}, 1, nullptr});
+  terms.push_back({"density", &set.sweep.density, {Field::mass}, {}, 1, nullptr});
   terms.push_back({"viscosity",
-                   kernels.viscosity,
+                   &set.sweep.viscosity,
                    {Field::mass, Field::density, Field::velocity, Field::sound_speed},
                    {KernelWeight::gradient},
                    Dim + 2,
                    &viscosity});
   terms.push_back({"riemann viscosity",
-                   kernels.riemann_viscosity,
+                   &set.sweep.riemann_viscosity,
                    {Field::mass, Field::density, Field::velocity, Field::sound_speed},
                    {KernelWeight::gradient},
                    Dim + 2,
                    &riemann});
-  terms.push_back({"approach", kernels.approach, {Field::velocity}, {}, 1, nullptr});
+  terms.push_back({"approach", &set.sweep.approach, {Field::velocity}, {}, 1, nullptr});
   return terms;
 }
 
@@ -190,7 +229,7 @@ Sums swept(RandomScene<Dim> const& scene, NeighbourList const& list, std::vector
     for (std::size_t t = first; t < std::min(first + most_terms, terms.size()); ++t) {
       std::vector<double*> out;
       for (auto& component : sums[t]) out.push_back(component.data());
-      sweep.add(terms[t].sum, terms[t].reads, terms[t].kernel, out, terms[t].parameters);
+      sweep.add(*terms[t].loops, terms[t].reads, terms[t].kernel, out, terms[t].parameters);
     }
     sweep.run(scene.particles, state_velocity);
   }
@@ -224,7 +263,7 @@ class DenseSums {
       for (std::size_t j = 0; j < n; ++j) {
         if (i == j) continue;
         Vector<Dim> const r = separation(i, j);
-        bool const by_either = term.name == "density" || term.name.find("-grad-h") != std::string::npos;
+        bool const by_either = term.name.find("-grad-h") != std::string::npos;
         if (r.norm() >= (by_either ? std::max(h_.support(i), h_.support(j)) : h_.support(i, j))) continue;
         std::vector<double> const add = pair(term.name, i, j, r);
         BOOST_TEST_REQUIRE(add.size() == components, term.name);
@@ -334,7 +373,7 @@ class DenseSums {
       return {-m * (F_j / (rho_j * rho_j) + F_i / (rho_i * rho_i)).dot(W)};
     }
     if (name == "continuity") return {m * (v_i - v_j).dot(W)};
-    if (name == "density") return {m * value(r.norm(), h_(i))};
+    if (name == "density") return {m * value(r.norm(), h)};
     Vector<Dim> const u = u_[i] - u_[j];
     if (name == "approach") return {-u.dot(r) / (r.squaredNorm() + (Dim > 1 ? 0.01 * h * h : 0.0))};
     if (!is_viscosity(name)) return {};
@@ -500,8 +539,7 @@ BOOST_AUTO_TEST_CASE(separation_crosses_a_periodic_boundary_the_short_way) {
   BOOST_TEST(pairs.gradient(1)[0] == 0.5 / (0.1 * 0.1), boost::test_tools::tolerance(1e-12));
 }
 
-// Bit for bit where all go through the general loop. Those that have a loop of their own, which serves
-// particles of one smoothing length in boxes along the axes, differ by round-off.
+// Loops that were made for certain records or several terms differ from the others by round-off.
 BOOST_AUTO_TEST_CASE_TEMPLATE(terms_of_one_sweep_give_what_each_gives_alone, D, Dimensions) {
   constexpr int Dim = D::value;
   for (bool const own_lengths : {false, true}) {
@@ -517,11 +555,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(terms_of_one_sweep_give_what_each_gives_alone, D, 
         Sums const together = swept(scene, list, terms);
         for (std::size_t t = 0; t < terms.size(); ++t) {
           auto const alone = flat(swept(scene, list, {terms[t]})[0]);
-          if (own_lengths || turned) {
-            BOOST_TEST(same_bits(flat(together[t]), alone), terms[t].name);
-          } else {
-            BOOST_TEST(relative_difference(flat(together[t]), alone) < 1e-13, terms[t].name);
-          }
+          BOOST_TEST(relative_difference(flat(together[t]), alone) < 1e-13, terms[t].name);
         }
       }
     }
@@ -529,11 +563,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(terms_of_one_sweep_give_what_each_gives_alone, D, 
 }
 
 /// The terms that a loop was made for.
-std::vector<Term> terms_of(FusedSweep const& fused, std::vector<Term> const& all) {
+std::vector<Term> terms_of(LoopOfSeveral const& several, std::vector<Term> const& all) {
   std::vector<Term> found;
-  for (RowFunction const sum : fused.terms) {
+  for (BatchFunction const sum : several.terms) {
     if (!sum) break;
-    auto const at = std::ranges::find_if(all, [&](Term const& term) { return term.sum == sum; });
+    auto const at = std::ranges::find_if(all, [&](Term const& term) { return term.loops->sum == sum; });
     BOOST_TEST_REQUIRE((at != all.end()));
     found.push_back(*at);
   }
@@ -550,11 +584,9 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(companies_that_have_a_loop_of_their_own_are_dense_
     std::vector<Term> const all = all_terms<Dim>();
     std::vector<std::vector<double>> expected;
     for (Term const& term : all) expected.push_back(flat(dense_sums.of(term)));
-    for (FusedSweep const& fused : sweep_kernels<Dim>(cubic).fused) {
-      std::vector<Term> const terms = terms_of(fused, all);
-      if (terms.empty()) continue;
+    for (LoopOfSeveral const& several : loops_of_sweep<Dim>().of_several) {
+      std::vector<Term> const terms = terms_of(several, all);
       ++companies;
-      BOOST_TEST((union_of(terms) == fused.reads), terms[0].name);  // else it would never be taken
       Sums const found = swept(scene, list, terms);
       for (std::size_t t = 0; t < terms.size(); ++t) {
         auto const which =
@@ -565,7 +597,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(companies_that_have_a_loop_of_their_own_are_dense_
       }
     }
   }
-  BOOST_TEST(companies > 0u);
+  BOOST_TEST((companies > 0u || !has_avx2()));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(pairs_beyond_the_support_add_nothing, D, Dimensions) {
@@ -607,13 +639,13 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(threads_do_not_change_a_bit, D, Dimensions) {
       BOOST_TEST(same_bits(flat(several[t]), flat(one[t])), terms[t].name << " at " << threads << " threads");
     }
     for (std::size_t s = 0; s < infos.size(); ++s) {
-      auto const of_row = scheme_loops_beside<Dim>(sweep_kernels<Dim>(cubic))[s].conductance;
-      if (!of_row) continue;
+      auto const of_batch = best_loops<Dim>().schemes[s]->conductance;
+      if (!of_batch) continue;
       FieldSet const reads = infos[s]->reads | FieldSet{Field::mass};
       BOOST_TEST(same_bits(PairSweep<Dim>(geometry.neighbours, geometry.domain, threads)
-                               .conductances(of_row, reads, scene.particles),
+                               .conductances(of_batch, reads, scene.particles),
                            PairSweep<Dim>(geometry.neighbours, geometry.domain, 1)
-                               .conductances(of_row, reads, scene.particles)));
+                               .conductances(of_batch, reads, scene.particles)));
     }
   }
 }
@@ -709,10 +741,11 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(frozen_conductances_give_the_rates_that_positions_
   BOOST_TEST(linear > 0u);
 }
 
-void sum_values(Row const& row, void const*, double* out) {
-  for (std::size_t k = 0; k < row.count; ++k) *out += row.value[k];
-}
-void take_values(Row const& row, double* out) { std::copy_n(row.value, row.count, out); }
+TermLoops const sum_values{.sum = [](Batch const& batch, RowTerm const* term) {
+  for (std::size_t row = 0; row < batch.rows; ++row)
+    term->outputs[0][batch.begin + row] = std::accumulate(batch.value + batch.first[row], batch.value + batch.first[row + 1], 0.0);
+}};
+void take_values(Batch const& batch, double* out) { std::copy_n(batch.value, batch.pairs(), out); }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(rows_have_the_kernel_s_own_value_at_the_mean_smoothing_length, D, Dimensions) {
   constexpr int Dim = D::value;
@@ -806,6 +839,8 @@ class HandmadeSweep {
     plan_.first = list.first.data();
     plan_.neighbour = list.neighbour.data();
     plan_.h = p.smoothing_length();
+    plan_.support_ratio = p.kernel().support_ratio();
+    kernel_ = p.kernel().id();
     plan_.wrapping = !scene.domain.is_periodic() ? Wrapping::none
                      : scene.domain.is_turned()  ? Wrapping::turned
                                                  : Wrapping::along_axes;
@@ -823,35 +858,62 @@ class HandmadeSweep {
     plan_.wants_value = true;
   }
 
-  /// @param fused null for the general loop, which takes most_terms at a time
-  Sums rows(SweepKernels const& kernels, std::vector<Term> const& terms, FusedSweep const* fused = nullptr) {
+  /// By the loops that serve any records, most_terms at a time.
+  Sums rows(InstructionSet<Dim> const& set, std::vector<Term> const& terms) {
     Sums sums = room_for(terms, n_);
-    Aligned scratch(scratch_size(stride_));
     for (std::size_t first = 0; first < terms.size(); first += most_terms) {
+      std::size_t const last = std::min(first + most_terms, terms.size());
       std::vector<RowTerm> row_terms;
-      for (std::size_t t = first; t < std::min(first + most_terms, terms.size()); ++t) {
-        RowTerm& term =
-            row_terms.emplace_back(RowTerm{terms[t].sum, terms[t].parameters, terms[t].components, {}});
-        for (std::size_t k = 0; k < sums[t].size(); ++k) term.outputs[k] = sums[t][k].data();
+      std::vector<BatchFunction> loops;
+      std::vector<std::size_t> loop_terms;
+      for (std::size_t t = first; t < last; ++t) {
+        row_terms.push_back(row_term(terms[t], sums[t]));
+        loops.push_back(terms[t].loops->sum);
+        loop_terms.push_back(t - first);
       }
-      plan_.terms = row_terms.data();
-      plan_.term_count = row_terms.size();
-      // In two parts, as threads do.
-      for (auto const& [begin, end] : {std::pair{std::size_t{0}, n_ / 3}, std::pair{n_ / 3, n_}}) {
-        fused ? fused->rows(plan_, begin, end) : kernels.rows(plan_, begin, end, scratch.data());
-      }
+      run(set, row_terms, loops, loop_terms);
     }
     return sums;
   }
 
-  std::vector<double> conductances(SweepKernels const& kernels, std::size_t scheme) {
+  /// By one loop for all of them.
+  Sums rows(InstructionSet<Dim> const& set, std::vector<Term> const& terms, BatchFunction loop) {
+    Sums sums = room_for(terms, n_);
+    std::vector<RowTerm> row_terms;
+    for (std::size_t t = 0; t < terms.size(); ++t) row_terms.push_back(row_term(terms[t], sums[t]));
+    run(set, row_terms, {loop}, {0});
+    return sums;
+  }
+
+  std::vector<double> conductances(InstructionSet<Dim> const& set, std::size_t scheme) {
     std::vector<double> all(list_.pairs());
-    Aligned scratch(scratch_size(stride_));
-    kernels.conductances(plan_, scheme_loops_beside<Dim>(kernels)[scheme].conductance, 0, n_, scratch.data(), all.data());
+    plan_.kernel = set.kernel(kernel_);
+    Aligned scratch(scratch_size(capacity_));
+    set.sweep.conductances(plan_, set.schemes[scheme]->conductance, 0, n_, capacity_, scratch.data(), all.data());
     return all;
   }
 
  private:
+  static RowTerm row_term(Term const& term, std::vector<std::vector<double>>& sums) {
+    RowTerm made{term.loops, term.parameters, term.components, {}};
+    for (std::size_t k = 0; k < sums.size(); ++k) made.outputs[k] = sums[k].data();
+    return made;
+  }
+
+  /// In two parts, as threads do.
+  void run(InstructionSet<Dim> const& set, std::vector<RowTerm> const& terms, std::vector<BatchFunction> const& loops,
+           std::vector<std::size_t> const& loop_terms) {
+    plan_.terms = terms.data();
+    plan_.loops = loops;
+    plan_.loop_terms = loop_terms;
+    plan_.kernel = set.kernel(kernel_);
+    Aligned scratch(scratch_size(capacity_));
+    for (auto const& [begin, end] : {std::pair{std::size_t{0}, n_ / 3}, std::pair{n_ / 3, n_}})
+      set.sweep.rows(plan_, begin, end, capacity_, scratch.data());
+  }
+
+  static constexpr std::size_t capacity_ = 4 * batch_pairs;  // more than any row of these tests has
+  std::string_view kernel_;
   RecordSlots slots_;
   std::size_t stride_, n_;
   NeighbourList const& list_;
@@ -859,18 +921,12 @@ class HandmadeSweep {
   SweepPlan plan_{};
 };
 
-#if defined(__x86_64__)
-bool has_avx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
-#else
-bool has_avx2() { return false; }
-#endif
-
 BOOST_AUTO_TEST_CASE_TEMPLATE(baseline_is_its_dense_sum_too, D, Dimensions) {
   constexpr int Dim = D::value;
   RandomScene<Dim> const scene = in_box<Dim>(21, 150, Box::turned);
   NeighbourList const list = list_of(scene);
   std::vector<Term> const terms = all_terms<Dim>();
-  SweepKernels const& baseline = *baseline_kernels<Dim>(cubic);
+  InstructionSet<Dim> const baseline = baseline_loops<Dim>();
   Sums const found =
       HandmadeSweep<Dim>(scene, list, union_of(terms)).rows(baseline, all_terms<Dim>(baseline));
   DenseSums<Dim> const dense_sums(scene);
@@ -881,7 +937,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(baseline_is_its_dense_sum_too, D, Dimensions) {
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(the_best_instructions_of_the_processor_are_chosen, D, Dimensions) {
   constexpr int Dim = D::value;
-  BOOST_TEST(std::string(sweep_kernels<Dim>(cubic).instruction_set) == (has_avx2() ? "avx2" : "baseline"));
+  BOOST_TEST(std::string(loops_of_sweep<Dim>().instruction_set) == (has_avx2() ? "avx2" : "baseline"));
 }
 
 BOOST_AUTO_TEST_CASE_TEMPLATE(loops_of_every_kernel_are_dense_sums_in_every_instruction_set, D, Dimensions) {
@@ -891,25 +947,45 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_of_every_kernel_are_dense_sums_in_every_inst
     scene.particles.set_kernel(kernel(info.id, Dim));
     NeighbourList const list = list_of(scene);
     DenseSums<Dim> const dense_sums(scene);
-    std::vector<SweepKernels const*> sets{baseline_kernels<Dim>(info.id)};
-    if (has_avx2()) sets.push_back(avx2_kernels<Dim>(info.id));
-    for (SweepKernels const* const kernels : sets) {
-      std::vector<Term> const terms = all_terms<Dim>(*kernels);
-      Sums const found = HandmadeSweep<Dim>(scene, list, union_of(terms)).rows(*kernels, terms);
+    for (InstructionSet<Dim> const& set : all_instruction_sets<Dim>()) {
+      std::vector<Term> const terms = all_terms<Dim>(set);
+      Sums const found = HandmadeSweep<Dim>(scene, list, union_of(terms)).rows(set, terms);
       for (std::size_t t = 0; t < terms.size(); ++t) {
         BOOST_TEST(relative_difference(flat(found[t]), flat(dense_sums.of(terms[t]))) < round_off,
-                   info.id << ", " << kernels->instruction_set << ": " << terms[t].name);
+                   info.id << ", " << set.sweep.instruction_set << ": " << terms[t].name);
       }
-      for (FusedSweep const& fused : kernels->fused) {
-        std::vector<Term> const company = terms_of(fused, terms);
-        if (company.empty()) continue;
-        HandmadeSweep<Dim> made_for_it(scene, list, union_of(company));
-        Sums const together = made_for_it.rows(*kernels, company, &fused);
-        Sums const general = made_for_it.rows(*kernels, company);
-        for (std::size_t t = 0; t < company.size(); ++t) {
-          BOOST_TEST(relative_difference(flat(together[t]), flat(general[t])) < round_off,
-                     info.id << ", " << kernels->instruction_set << ", fused: " << company[t].name);
-        }
+    }
+  }
+}
+
+/// The loop among those that were made that serves records without velocities of drift.
+BatchFunction of_plain_records(std::array<LoopForSlots, 2> const& made) { return made[0].sum; }
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(loops_made_for_certain_records_give_what_those_for_any_give, D, Dimensions) {
+  constexpr int Dim = D::value;
+  std::vector<RandomScene<Dim>> scenes{clusters<Dim>(22)};
+  for (Box const box : {Box::open, Box::along_axes, Box::turned}) scenes.push_back(in_box<Dim>(22, 150, box));
+  scenes.push_back(scenes.back());
+  Random random(23);
+  vary_lengths(scenes.back().particles, random);
+  for (RandomScene<Dim> const& scene : scenes) {
+    NeighbourList const list = list_of(scene);
+    for (InstructionSet<Dim> const& set : all_instruction_sets<Dim>()) {
+      std::vector<Term> const all = all_terms<Dim>(set);
+      bool const specialises = of_plain_records(set.sweep.density.made) != nullptr;
+      BOOST_TEST(specialises == (std::string_view(set.sweep.instruction_set) != "baseline" || !has_avx2()));
+      std::vector<std::pair<std::vector<Term>, BatchFunction>> companies;
+      for (Term const& term : all) companies.push_back({{term}, of_plain_records(term.loops->made)});
+      for (LoopOfSeveral const& several : set.sweep.of_several)
+        companies.push_back({terms_of(several, all), of_plain_records(several.made)});
+      for (auto const& [terms, loop] : companies) {
+        BOOST_TEST((loop != nullptr) == specialises);
+        if (!loop) continue;
+        HandmadeSweep<Dim> sweep(scene, list, union_of(terms));
+        Sums const found = sweep.rows(set, terms, loop);
+        Sums const expected = sweep.rows(set, terms);
+        for (std::size_t t = 0; t < terms.size(); ++t)
+          BOOST_TEST(relative_difference(flat(found[t]), flat(expected[t])) < round_off, terms[t].name << " of " << terms.size());
       }
     }
   }
@@ -919,8 +995,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_of_every_kernel_are_dense_sums_in_every_inst
 BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions) {
   if (!has_avx2()) return;
   constexpr int Dim = D::value;
-  SweepKernels const& baseline = *baseline_kernels<Dim>(cubic);
-  SweepKernels const& avx2 = *avx2_kernels<Dim>(cubic);
+  InstructionSet<Dim> const baseline = baseline_loops<Dim>();
+  InstructionSet<Dim> const avx2 = avx2_loops<Dim>();
   std::vector<RandomScene<Dim>> scenes{clusters<Dim>(22)};
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) scenes.push_back(in_box<Dim>(22, 150, box));
   scenes.push_back(scenes.back());
@@ -936,28 +1012,10 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions
     for (std::size_t t = 0; t < terms.size(); ++t) {
       BOOST_TEST(relative_difference(flat(other[t]), flat(one[t])) < round_off, terms[t].name);
     }
-    // Loops of single schemes exist in the best set alone.
-    bool const has_fused = scene.particles.smoothing_lengths().empty() && !scene.domain.is_turned();
-    BOOST_TEST(!avx2.fused.empty());
-    for (FusedSweep const& fused : has_fused ? avx2.fused : std::span<FusedSweep const>()) {
-      std::vector<Term> const company = terms_of(fused, same_terms);
-      if (company.empty()) continue;
-      std::vector<Term> in_baseline;
-      for (Term const& term : company)
-        in_baseline.push_back(*std::ranges::find(terms, term.name, &Term::name));
-      HandmadeSweep<Dim> made_for_it(scene, list, union_of(company));
-      Sums const together = made_for_it.rows(avx2, company, &fused);
-      Sums const general = made_for_it.rows(avx2, company);
-      Sums const of_baseline = made_for_it.rows(baseline, in_baseline);
-      for (std::size_t t = 0; t < company.size(); ++t) {
-        BOOST_TEST(relative_difference(flat(general[t]), flat(together[t])) < round_off, company[t].name);
-        BOOST_TEST(relative_difference(flat(of_baseline[t]), flat(together[t])) < round_off, company[t].name);
-      }
-    }
     std::size_t linear = 0;
     for (std::size_t s = 0; scene.particles.smoothing_lengths().empty() && s < all_scheme_infos().size();
          ++s) {
-      bool const is_linear = scheme_loops_beside<Dim>(baseline)[s].conductance != nullptr;
+      bool const is_linear = baseline.schemes[s]->conductance != nullptr;
       BOOST_TEST(is_linear == all_scheme_infos()[s]->difference_form);
       if (!is_linear) continue;
       ++linear;
@@ -966,8 +1024,8 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions
       std::size_t const n = scene.particles.size();
       std::vector<double> first(n), second(n);
       double const* const T = scene.particles.scalar(Field::temperature).data();
-      baseline.conduct(list.first.data(), list.neighbour.data(), c.data(), T, 0, n, first.data());
-      avx2.conduct(list.first.data(), list.neighbour.data(), c.data(), T, 0, n, second.data());
+      baseline.sweep.conduct(list.first.data(), list.neighbour.data(), c.data(), T, 0, n, first.data());
+      avx2.sweep.conduct(list.first.data(), list.neighbour.data(), c.data(), T, 0, n, second.data());
       BOOST_TEST(relative_difference(second, first) < round_off);
     }
     BOOST_TEST((linear > 0u || !scene.particles.smoothing_lengths().empty()));

@@ -234,6 +234,69 @@ BOOST_AUTO_TEST_CASE(a_rate_that_is_no_number_ends_the_run_and_says_of_which_unk
   }
 }
 
+BOOST_AUTO_TEST_CASE(the_explicit_method_takes_steps_as_the_fifth_root_of_the_tolerance) {
+  auto const steps = [](double relative) {
+    return static_cast<double>(integrate(Method::runge_kutta, with_rate(hyperbola), {1.0}, 20.0, relative).steps);
+  };
+  BOOST_TEST(std::log10(steps(1e-12) / steps(1e-7)) == 1.0, tolerance(0.05));
+}
+
+BOOST_AUTO_TEST_CASE(samples_of_the_explicit_method_are_as_good_as_its_steps_and_change_none) {
+  OdeSystem system = with_rate([](double t, double const* y, double* out) { out[0] = -y[0] * y[0] + 0.1 * std::cos(t); });
+  system.quadratures = 1;
+  system.quadrature = [](double t, double const*, double* out) { out[0] = std::exp(-t); };
+  OdeResult const without = integrate(Method::runge_kutta, system, {1.0}, 3.0, 1e-8);
+  std::vector<double> times, values;
+  for (int k = 0; k <= 60; ++k) system.sample_times.push_back(0.05 * k);
+  system.sample = [&](double t, double const* y, double const* q) {
+    times.push_back(t);
+    values.push_back(y[0]);
+    BOOST_TEST(std::abs(q[0] - (1.0 - std::exp(-t))) < 1e-7, t);
+  };
+  OdeResult const result = integrate(Method::runge_kutta, system, {1.0}, 3.0, 1e-8);
+  BOOST_TEST(result.y[0] == without.y[0]);
+  BOOST_TEST(result.steps == without.steps);
+  BOOST_TEST(result.steps < 30u);  // most samples are within steps
+  BOOST_TEST((times == system.sample_times));
+  system.sample = {};
+  for (std::size_t k = 1; k < times.size(); ++k) {
+    double const exact = integrate(Method::runge_kutta, system, {1.0}, times[k], 1e-12).y[0];
+    BOOST_TEST(std::abs(values[k] - exact) < 1e-7, times[k]);
+  }
+}
+
+BOOST_AUTO_TEST_CASE(the_explicit_method_keeps_six_vectors_and_gives_the_same_bits_at_any_number_of_threads) {
+  constexpr std::size_t n = 20'000;
+  OdeSystem system = with_rate([](double t, double const* y, double* out) {
+    for (std::size_t i = 0; i < n; ++i) out[i] = std::sin(static_cast<double>(i)) - y[i] * y[n - 1 - i] + t;
+  });
+  OdeResult const one = integrate(Method::runge_kutta, system, std::vector<double>(n, 0.5), 1.0, 1e-6);
+  BOOST_TEST((one.outcome == OdeOutcome::finished));
+  BOOST_TEST(one.bytes == 6 * n * sizeof(double));
+  system.threads = 4;
+  OdeResult const four = integrate(Method::runge_kutta, system, std::vector<double>(n, 0.5), 1.0, 1e-6);
+  BOOST_TEST((four.y == one.y));
+  BOOST_TEST(four.steps == one.steps);
+}
+
+BOOST_AUTO_TEST_CASE(a_step_that_is_not_accepted_leaves_the_state_as_it_was) {
+  // Where the rate turns on, steps are tried that are far too long; before it nothing has changed.
+  OdeSystem system = with_rate([](double t, double const* y, double* out) { out[0] = t < 0.7 ? 0.0 : -1e3 * (y[0] - t); });
+  std::uint64_t rates = 0;
+  auto const inner = system.rate;
+  system.rate = [&](double t, double const* y, double* out) {
+    ++rates;
+    inner(t, y, out);
+  };
+  system.monitor = [](double t, double const* y, double const*) -> std::string {
+    return t < 0.7 && y[0] != 1.0 ? "it moved before it was pushed" : "";
+  };
+  OdeResult const result = integrate(Method::runge_kutta, system, {1.0}, 1.0, 1e-8);
+  BOOST_TEST(result.reason == "");
+  BOOST_TEST(result.y[0] == 1.0 - 1e-3, tolerance(1e-6));
+  BOOST_TEST(rates > 6 * result.steps + 2);  // some were not accepted
+}
+
 /// From 0 it is 1e4 (t - 0.3) once t > 0.3: particles that come into a wall's reach feel such jumps.
 void jumping(double t, double const*, double* out) { out[0] = t < 0.3 ? 0.0 : 1e4; }
 

@@ -231,27 +231,37 @@ class SchemeOperator final : public RateOperator<Dim> {
         [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); }, threads_);
   }
 
-  /// Makes of a pass's sums what it writes.
+  /// Makes of a pass's sums what it writes. Of particles with too few partners the first is named.
   template <std::size_t n>
-  static void finish(Particles<Dim>& particles, PairGeometry<Dim> const& geometry) {
-    FieldPointers<Dim> fields(particles);
-    if (!geometry.contacts.empty() && geometry.behind.empty()) fields.walls = &geometry.walls;
+  void finish(Particles<Dim>& particles, PairGeometry<Dim> const& geometry) const {
+    using Own = ParticleView<Dim, reads_of_pass<Scheme, n>()>;
     auto& out = output<Pass<n>>(particles);
-    for (std::size_t i = 0; i < particles.size(); ++i) {
-      ParticleView<Dim, reads_of_pass<Scheme, n>()> const own(fields, i);
-      if constexpr (!requires { Pass<n>::finish(own, out[i]); }) {
-        return;
-      } else {
-        try {
-          if constexpr (std::is_same_v<decltype(out), std::vector<double>&>) {
-            out[i] = Pass<n>::finish(own, out[i]);
-          } else {
-            out.set(i, Pass<n>::finish(own, out[i]));
-          }
-        } catch (TooFewPartners const& error) {
-          throw TooFewPartners("particle " + std::to_string(i) + ": " + error.what());
+    if constexpr (requires(Own own) { Pass<n>::finish(own, out[0]); }) {
+      FieldPointers<Dim> fields(particles);
+      if (!geometry.contacts.empty() && geometry.behind.empty()) fields.walls = &geometry.walls;
+      auto const finish_one = [&](std::size_t i) {
+        if constexpr (std::is_same_v<decltype(out), std::vector<double>&>) {
+          out[i] = Pass<n>::finish(Own(fields, i), out[i]);
+        } else {
+          out.set(i, Pass<n>::finish(Own(fields, i), out[i]));
         }
-      }
+      };
+      auto const too_few = joined_blocks(
+          particles.size(), threads_, std::optional<std::string>(),
+          [&](std::size_t begin, std::size_t end) -> std::optional<std::string> {
+            for (std::size_t i = begin; i < end; ++i) {
+              try {
+                finish_one(i);
+              } catch (TooFewPartners const& error) {
+                return "particle " + std::to_string(i) + ": " + error.what();
+              }
+            }
+            return std::nullopt;
+          },
+          [](std::optional<std::string>& first, std::optional<std::string> const& part) {
+            if (!first) first = part;
+          });
+      if (too_few) throw TooFewPartners(*too_few);
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "formulations/basics/expects.hpp"
+#include "formulations/basics/parallel.hpp"
 #include "formulations/particles/smoothing_length.hpp"
 #include "formulations/walls/sweep_wall.hpp"
 
@@ -34,18 +35,25 @@ double wave_pressure(WallContacts<Dim> const& contacts, std::size_t k, Particles
 /// How much of the wall's own share of the viscous stress P_B has already.
 enum class WallStress { none, wave, whole };
 
+/// What a wall, or a part of its contacts, gives per time.
+template <int Dim>
+struct WallExchange {
+  Vector<Dim> force = Vector<Dim>::Zero();
+  double power = 0.0;
+};
+
 template <class Law, int Dim>
-void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts,
-                      WallStress in_pressure, double share, Particles<Dim> const& particles, Vector<Dim>& force,
-                      double& power, ViscousRates<Dim>& rates) {
+WallExchange<Dim> add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts, WallStress in_pressure, double share,
+                                   Particles<Dim> const& particles, int threads, ViscousRates<Dim>& rates) {
   expects(contacts.velocity.size() == contacts.size());
   expects(in_pressure != WallStress::wave || contacts.pressure.size() == contacts.size());
   SmoothingLength const h(particles);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
+  // A particle has one contact with a wall.
+  auto const of_contact = [&](std::size_t k, WallExchange<Dim>& given) {
     std::uint32_t const i = contacts.particle[k];
     Vector<Dim> const v = particles.vector(Field::velocity)[i];
     double const closing = (v - contacts.velocity[k]).dot(contacts.outward_normal);
-    if (closing <= 0.0) continue;
+    if (closing <= 0.0) return;
     double const rho = 0.5 * (particles.scalar(Field::density)[i] + contacts.foot_density[k]);
     double const apart = 2.0 * std::max(contacts.distance[k],
                                         nearest * h(i));  // from its image, which closes in twice as fast
@@ -64,9 +72,20 @@ void add_viscous_wall(Law const& viscosity, WallContacts<Dim> const& contacts,
     rates.heating[i] += heating;
     rates.largest_mu[i] = std::max(rates.largest_mu[i], -mu);
     double const m = particles.masses()[i];
-    force += m * acceleration;
-    power += m * (heating + acceleration.dot(v));
-  }
+    given.force += m * acceleration;
+    given.power += m * (heating + acceleration.dot(v));
+  };
+  return joined_blocks(
+      contacts.size(), threads, WallExchange<Dim>(),
+      [&](std::size_t begin, std::size_t end) {
+        WallExchange<Dim> given;
+        for (std::size_t k = begin; k < end; ++k) of_contact(k, given);
+        return given;
+      },
+      [](WallExchange<Dim>& all, WallExchange<Dim> const& part) {
+        all.force += part.force;
+        all.power += part.power;
+      });
 }
 
 }  // namespace
@@ -137,11 +156,13 @@ void add_viscous_walls(Viscosity const& viscosity, Particles<Dim> const& particl
     WallStress const in_pressure = wall.pressure  ? WallStress::whole
                                    : sends_a_wave ? WallStress::wave
                                                   : WallStress::none;
-    std::visit(
+    WallExchange<Dim> const given = std::visit(
         [&](auto const& law) {
-          add_viscous_wall(law, geometry.contacts[w], in_pressure, share, particles, rates.wall_force[w], rates.wall_power[w], rates);
+          return add_viscous_wall(law, geometry.contacts[w], in_pressure, share, particles, threads, rates);
         },
         viscosity);
+    rates.wall_force[w] += given.force;
+    rates.wall_power[w] += given.power;
   }
 }
 

@@ -92,6 +92,7 @@ OdeResult FrozenConduction<Dim>::integrate_from(std::vector<double> initial, std
                                                 Sample sample) {
   OdeSystem system;
   system.size = scene_.particles().size();
+  system.threads = scene_.threads();
   system.rate = [this](double t, double const* T, double* out) { rate(t, T, out); };
   system.monitor = std::move(monitor);
   if (sample) {

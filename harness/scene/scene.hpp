@@ -77,6 +77,7 @@ class Scene {
 
   WorkCount const& work() const { return work_; }
   SceneRecord record() const;
+  int threads() const { return threads_; }
   std::size_t bytes() const { return particles_.bytes() + geometry_.bytes() + operator_->bytes(); }
 
  private:

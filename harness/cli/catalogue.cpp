@@ -101,6 +101,26 @@ void add_words(std::vector<CatalogueEntry>& all) {
                      return Json{{"equation", info->equation}, {"source", info->source}, {"remarks", info->remarks}, {"parameters", Json::array()}};
                    }});
   }
+  all.push_back(
+      {"viscosities", "monaghan", "Artificial viscosity with two coefficients",
+       "Monaghan & Gingold 1983; Monaghan 1992, Eqs. 4.1-4.3", [] {
+         return Json{
+             {"equation",
+              "Pi_ij = (-alpha c mu + beta mu^2)/rho where a pair approaches, mu = h v_ij.r_ij/(r_ij^2 + 0.01 h^2), means of both"},
+             {"source", "Monaghan & Gingold 1983; Monaghan 1992, Eqs. 4.1-4.3"},
+             {"parameters",
+              Json::array({"viscosity: {\"alpha\": a, \"beta\": b}; auto [what is taken] is 1 and 2 where the case has shocks, else 0"})}};
+       }});
+  all.push_back(
+      {"viscosities", "riemann", "Pressure of a Riemann problem between two particles that approach",
+       "Toro 2009, Section 4.3.1; Inutsuka 2002; Parshikov & Medin 2002", [] {
+         return Json{
+             {"equation",
+              "Pi_ij = 2 q/rho^2, q = rho w (b w + sqrt(b^2 w^2 + c^2)), w = -v_ij.r_ij/(2 r_ij) where a pair approaches, "
+              "b = (gamma + 1)/4, means of both"},
+             {"source", "Toro 2009, Section 4.3.1; Inutsuka 2002; Parshikov & Medin 2002"},
+             {"parameters", Json::array({"viscosity: riemann; no coefficient"})}};
+       }});
   all.push_back({"layouts", "lattice", "Particles at the centres of equal cells", "", [] {
                    return Json{
                        {"equation",
@@ -213,7 +233,7 @@ std::vector<CatalogueEntry> const& catalogue() {
 }
 
 std::vector<std::string> catalogue_kinds() {
-  return {"formulations", "cases", "kernels", "walls", "layouts", "measures"};
+  return {"formulations", "cases", "kernels", "walls", "viscosities", "layouts", "measures"};
 }
 
 }  // namespace sphverify

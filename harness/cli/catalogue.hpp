@@ -10,7 +10,7 @@ namespace sphverify {
 
 /// Something that `list` shows and `describe` explains.
 struct CatalogueEntry {
-  std::string kind;  ///< formulations, cases, kernels, layouts, measures
+  std::string kind;  ///< formulations, cases, kernels, walls, viscosities, layouts, measures
   std::string id, title, source;
   std::function<Json()> details;  ///< what `describe` tells: label -> text, or a list
 };

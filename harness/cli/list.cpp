@@ -57,7 +57,7 @@ void add_list(CLI::App& app) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "What there is, one line each: identifier, title, source");
   command
-      ->add_option("kind", options->kind, "formulations, cases, kernels, layouts or measures; all by default")
+      ->add_option("kind", options->kind, "formulations, cases, kernels, walls, viscosities, layouts or measures; all by default")
       ->check(one_of_words(catalogue_kinds()));
   command->add_flag("--json", options->json, "As a JSON document");
   command->footer("Example: sphverify list cases --json");

@@ -60,6 +60,8 @@ IDENTIFIERS = {
     "formulations": FORMULATIONS,
     "cases": set(CASES),
     "kernels": {"cubic-spline", "quintic-spline", "wendland-c2", "wendland-c4", "wendland-c6"},
+    "walls": {"mirror", "dummy"},
+    "viscosities": {"monaghan", "riemann"},
     "layouts": {"lattice", "jittered"},
     "measures": {"error", "conservation", "cost", "stability", "profile", "history", "spectrum"},
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <exception>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -231,7 +232,7 @@ class SchemeOperator final : public RateOperator<Dim> {
         [](auto const& i, auto const& B) { return Pass<n>::wall(i, B); }, threads_);
   }
 
-  /// Makes of a pass's sums what it writes. Of particles with too few partners the first is named.
+  /// Makes of a pass's sums what it writes. What fails first, in the order of particles, is thrown.
   template <std::size_t n>
   void finish(Particles<Dim>& particles, PairGeometry<Dim> const& geometry) const {
     using Own = ParticleView<Dim, reads_of_pass<Scheme, n>()>;
@@ -246,22 +247,24 @@ class SchemeOperator final : public RateOperator<Dim> {
           out.set(i, Pass<n>::finish(Own(fields, i), out[i]));
         }
       };
-      auto const too_few = joined_blocks(
-          particles.size(), threads_, std::optional<std::string>(),
-          [&](std::size_t begin, std::size_t end) -> std::optional<std::string> {
+      std::exception_ptr const failure = joined_blocks(
+          particles.size(), threads_, std::exception_ptr(),
+          [&](std::size_t begin, std::size_t end) -> std::exception_ptr {
             for (std::size_t i = begin; i < end; ++i) {
               try {
                 finish_one(i);
               } catch (TooFewPartners const& error) {
-                return "particle " + std::to_string(i) + ": " + error.what();
+                return std::make_exception_ptr(TooFewPartners("particle " + std::to_string(i) + ": " + error.what()));
+              } catch (...) {
+                return std::current_exception();
               }
             }
-            return std::nullopt;
+            return nullptr;
           },
-          [](std::optional<std::string>& first, std::optional<std::string> const& part) {
+          [](std::exception_ptr& first, std::exception_ptr const& part) {
             if (!first) first = part;
           });
-      if (too_few) throw TooFewPartners(*too_few);
+      if (failure) std::rethrow_exception(failure);
     }
   }
 

@@ -33,12 +33,10 @@ struct CubicSpline : Scaled<CubicSpline<Dim>, Dim> {
     auto const p = max(2.0 - q, decltype(q)(0.0));
     return select(q < 1.0, 1.0 - q * q * (1.5 - 0.75 * q), 0.25 * p * p * p);
   }
-  static auto slope_shape(auto q) { return slope_shape(q, 1.0 / q); }
-  /// @param per_q 1/q, where it is known
-  static auto slope_shape(auto q, auto per_q) {
+  static auto slope_shape(auto q) {
     using std::max;
     auto const p = max(2.0 - q, decltype(q)(0.0));
-    return select(q < 1.0, -3.0 + 2.25 * q, -0.75 * p * p * per_q);
+    return select(q < 1.0, -3.0 + 2.25 * q, -0.75 * p * p  / q);
   }
 };
 

@@ -36,15 +36,13 @@ struct QuinticSpline : Scaled<QuinticSpline<Dim>, Dim> {
     auto const b2 = b * b;
     return select(q < 1.0, 66.0 - q2 * (60.0 - q2 * (30.0 - 10.0 * q)), a2 * a2 * a - 6.0 * (b2 * b2 * b));
   }
-  static auto slope_shape(auto q) { return slope_shape(q, 1.0 / q); }
-  /// @param per_q 1/q, where it is known
-  static auto slope_shape(auto q, auto per_q) {
+  static auto slope_shape(auto q) {
     using std::max;
     auto const a = max(3.0 - q, decltype(q)(0.0));
     auto const b = max(2.0 - q, decltype(q)(0.0));
     auto const a2 = a * a;
     auto const b2 = b * b;
-    return select(q < 1.0, -120.0 + q * q * (120.0 - 50.0 * q), (30.0 * (b2 * b2) - 5.0 * (a2 * a2)) * per_q);
+    return select(q < 1.0, -120.0 + q * q * (120.0 - 50.0 * q), (30.0 * (b2 * b2) - 5.0 * (a2 * a2))  / q);
   }
 };
 

@@ -6,8 +6,6 @@ namespace sphverify {
 ///
 ///   W(r, h) = sigma/h^Dim shape(q),  (dW/dr)/r = sigma/h^(Dim+2) slope_shape(q),  q = r/h.
 ///
-/// A kernel that gains by 1/q, where it is known, has slope_shape(q, 1/q) too.
-///
 /// `shape` and `slope_shape` are written once for one number, for several at once
 /// (formulations/simd/pack.hpp) and for polynomials (formulations/kernels/on_piece.hpp): with +, -, *, select
 /// and max, from which it also follows that they have a value for every q, zero beyond the support. Between

@@ -9,7 +9,7 @@
 // Everything that depends on the instruction set lives in a namespace named after it: the linker must never
 // take a function that was compiled for one set for another's.
 #ifndef SPHVERIFY_INSTRUCTION_SET
-#error "only for files that are compiled once per instruction set (kernels_*.cpp, list_kernels_*.cpp)"
+#error "only for files that are compiled once per instruction set (generated/*.cpp, list_kernels_*.cpp)"
 #endif
 
 // Nothing is inlined by force where sanitizers add checks to every access: functions of a whole sweep would take

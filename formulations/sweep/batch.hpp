@@ -241,7 +241,7 @@ void rows(SweepPlan const& plan, std::size_t begin, std::size_t end, std::size_t
   with_batches<Dim>(plan, capacity, scratch, [&](auto batches) {
     for (std::size_t i = begin; i < end;) {
       Batch const batch = batches.next(i, end);
-      for (std::size_t n = 0; n < plan.loops.size(); ++n) plan.loops[n](batch, plan.terms + plan.loop_terms[n]);
+      for (std::size_t n = 0; n < plan.loop_count; ++n) plan.loops[n](batch, plan.terms + plan.loop_terms[n]);
       i += batch.rows;
     }
   });

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::size_t alignment = 64;  // a cache line
 
+/// A support that ends nowhere. Its fourth power is a number still.
+constexpr double everywhere = 1e60;
+
 /// Memory that starts on a cache line, is not written before it is used, and is kept for the next who asks on
 /// the same thread: given back and taken anew at every sweep it would cost as much as the sweep.
 class Workspace {
@@ -167,9 +170,8 @@ void PairSweep<Dim>::choose_loops(RecordSlots const& slots) {
 template <int Dim>
 void PairSweep<Dim>::add(TermLoops const& loops, FieldSet reads, KernelWeightSet kernel,
                          std::vector<double*> const& out, void const* parameters) {
-  expects(terms_.size() < most_terms && out.size() <= most_components);
-  RowTerm term{
-      .loops = &loops, .parameters = parameters, .components = static_cast<int>(out.size()), .outputs = {}};
+  expects(terms_.size() < most_terms && static_cast<int>(out.size()) == loops.components);
+  RowTerm term{.loops = &loops, .parameters = parameters, .outputs = {}};
   std::copy(out.begin(), out.end(), term.outputs.begin());
   terms_.push_back(term);
   reads_ = reads_ | reads;
@@ -217,7 +219,7 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .slope = neighbours_.slope.empty() ? nullptr : neighbours_.slope.data(),
                  .offset = {},
                  .kernel = particles.kernel().columns(),
-                 .support_ratio = particles.kernel().support_ratio(),
+                 .support_ratio = neighbours_.slope.empty() ? particles.kernel().support_ratio() : everywhere,
                  .h = particles.smoothing_length(),
                  .wrapping = Wrapping::none,
                  .period = {},
@@ -228,8 +230,9 @@ SweepPlan PairSweep<Dim>::plan(Particles<Dim> const& particles, Records const& r
                  .wants_value = wants_value_,
                  .wants_own_radial = wants_own_radial_,
                  .terms = terms_.data(),
-                 .loops = loops_,
-                 .loop_terms = loop_terms_};
+                 .loops = loops_.data(),
+                 .loop_terms = loop_terms_.data(),
+                 .loop_count = loops_.size()};
   if (domain_.is_periodic()) plan.wrapping = domain_.is_turned() ? Wrapping::turned : Wrapping::along_axes;
   for (std::size_t k = 0; wants_offset_ && k < Dim; ++k) plan.offset[k] = neighbours_.offset[k].data();
   for (int k = 0; k < Dim; ++k) {

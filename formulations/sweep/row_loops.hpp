@@ -102,7 +102,7 @@ constexpr std::array<LoopForSlots, 2> loops_in_place() {
 
 template <int Dim, class Term>
 constexpr TermLoops loops_of_term() {
-  return {.sum = sum_anywhere<Dim, Term>, .made = loops_in_place<Dim, Term>()};
+  return {.sum = sum_anywhere<Dim, Term>, .components = Term::components, .made = loops_in_place<Dim, Term>()};
 }
 
 }  // namespace sphverify::SPHVERIFY_INSTRUCTION_SET

@@ -8,7 +8,7 @@
 #include "formulations/particles/field.hpp"
 
 // The sweep over pairs as plain data: what the files that are compiled once per instruction set share with
-// the rest. No functions here, so that none is compiled twice with different instructions.
+// the rest. No functions here but those that the compiler evaluates, so that none is compiled twice with different instructions.
 namespace sphverify {
 
 /// Where in a particle's record its fields lie, in doubles; -1 for those that nothing reads. The place comes
@@ -82,9 +82,7 @@ struct Batch {
   double const* pair_h;          ///< (h_i + h_j)/2; null where all have one
   std::size_t capacity;          ///< pairs that a column holds
   double h;                      ///< the common smoothing length [m]
-  double support_ratio;          ///< the kernel's
-
-  std::size_t pairs() const { return first[rows]; }
+  double support_ratio;          ///< SweepPlan::support_ratio
 };
 
 /// What one sweep can hold.
@@ -104,6 +102,7 @@ struct LoopForSlots {
 /// The loops of a term over its pairs.
 struct TermLoops {
   BatchFunction sum = nullptr;            ///< serves records of any kind; by this the term is known
+  int components = 0;                     ///< numbers per particle that it writes
   std::array<LoopForSlots, 2> made{};  ///< faster; without and with a velocity of drift, if it reads the state's
   bool wants_value = false;               ///< reads W of the particles' kernel, whatever stands in place of its slopes
 };
@@ -118,7 +117,6 @@ struct LoopOfSeveral {
 struct RowTerm {
   TermLoops const* loops;
   void const* parameters;
-  int components;
   std::array<double*, most_components> outputs;
 };
 
@@ -135,7 +133,7 @@ struct SweepPlan {
   double const* slope;  ///< NeighbourList::slope; null where the kernel gives it
   std::array<double const*, 3> offset;  ///< NeighbourList::offset; null unless some term reads it
   KernelColumns kernel;
-  double support_ratio;
+  double support_ratio;  ///< beyond it in h nothing rubs; where slopes are stored all pairs do
   double h;             ///< the common smoothing length, where slots.h < 0
   Wrapping wrapping;
   std::array<double, 3> period;          ///< 0 along axes that are not periodic
@@ -146,8 +144,9 @@ struct SweepPlan {
   bool wants_value;
   bool wants_own_radial;  ///< with the h of each, where slots.h >= 0
   RowTerm const* terms;
-  std::span<BatchFunction const> loops;  ///< one after the other on each batch
-  std::span<std::size_t const> loop_terms;  ///< at which term each begins
+  BatchFunction const* loops;      ///< one after the other on each batch
+  std::size_t const* loop_terms;   ///< at which term each begins
+  std::size_t loop_count;
 };
 
 inline constexpr std::size_t most_passes = 4;

@@ -23,7 +23,7 @@ struct MonaghanViscosity {
     Number mu, Pi;
   };
   /// (r_ij^2 + 0.01 h_ij^2) rho_ij: what mu/rho is divided by. Apart, because divisions are the dearest part
-  /// of a vectorised sweep, which finds this one's inverse together with others.
+  /// of a vectorised sweep, which multiplies by its inverse.
   template <class Number>
   static Number divisor(Number squared_distance, Number h, Number rho) {
     return (squared_distance + 0.01 * h * h) * rho;

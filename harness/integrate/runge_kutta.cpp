@@ -33,8 +33,8 @@ constexpr double safety = 0.9, least_factor = 0.2, most_factor = 10.0, of_error 
 /// Steps that are on average too short, over so many of them, will not end the run. A few may well be short:
 /// a rate that jumps (a particle comes into a wall's reach) is passed by steps whose error does not count.
 constexpr std::uint64_t steps_to_judge = 1000;
-/// Below this part of the time that was reached a step changes no time.
-constexpr double lost_in_rounding = 1e-15;
+/// Below this part of the whole time a step is lost in rounding; what is left of it by so much of a step belongs to that step.
+constexpr double lost_in_rounding = 1e-15, sliver = 1e-9;
 
 /// A rate is no number, and no step however short goes on from there.
 struct NotFinite {
@@ -69,18 +69,29 @@ class DormandPrince {
   std::size_t bytes() const { return sizeof(double) * (6 * size_ + first_.size() + dense_.size() + system_.scales.size()); }
   std::vector<double> take() && { return std::move(y_); }
 
-  /// From how far apart a step by Euler's rule finds the rates (the same book, Section II.4).
+  /// From how far apart a step by Euler's rule finds the rates (the same book, Section II.4), in parts of the longest, so that
+  /// units do not matter. The rule's step changes no unknown by much, and is shortened where it meets a state without a rate.
   double first_step(double longest) {
-    double const of_state = norm([&](std::size_t k) { return y_[k]; });
-    double const of_rate = norm([&](std::size_t k) { return sum1_[k]; });
-    double const small = 1e-5;
-    double const guess = std::min(longest, of_state < small || of_rate < small ? 1e-6 * longest : 0.01 * of_state / of_rate);
-    for_each([&](std::size_t k) { stage_[k] = y_[k] + guess * sum1_[k]; });
-    rate(guess, stage_, rate_);
-    double const curvature = norm([&](std::size_t k) { return rate_[k] - sum1_[k]; }) / guess;
+    constexpr double small = 1e-5;
+    double const of_state = largest([&](std::size_t k) { return y_[k]; });
+    double const largest_rate = longest * largest([&](std::size_t k) { return sum1_[k]; });
+    double guess = std::min(1.0, of_state < small || largest_rate < small ? 1e-6 : 0.01 * of_state / largest_rate);
+    for (int left = 5;; --left, guess *= 0.1) {
+      for_each([&](std::size_t k) { stage_[k] = y_[k] + guess * longest * sum1_[k]; });
+      try {
+        rate(guess * longest, stage_, rate_);
+        break;
+      } catch (NotFinite const&) {
+        if (left == 0) throw;
+      } catch (RateFailure const&) {
+        if (left == 0) throw;
+      }
+    }
+    double const of_rate = longest * norm([&](std::size_t k) { return sum1_[k]; });
+    double const curvature = longest * norm([&](std::size_t k) { return rate_[k] - sum1_[k]; }) / guess;
     double const most = std::max(of_rate, curvature);
-    double const by_error = most <= 1e-15 ? std::max(1e-6 * longest, 1e-3 * guess) : std::pow(0.01 / most, 0.2);
-    return std::min({longest, 100.0 * guess, by_error});
+    double const by_error = most <= 1e-15 ? std::max(1e-6, 1e-3 * guess) : std::pow(0.01 / most, 0.2);
+    return longest * std::min({1.0, 100.0 * guess, by_error});
   }
 
   /// Tries a step from `t`: the error of what would be the state, over the tolerance. `accept` or `reject` goes on from there.
@@ -152,15 +163,31 @@ class DormandPrince {
       throw NotFinite{*unknown};
   }
 
-  /// Root mean square of value(k) over what is tolerated beside the state, or beside the larger of it and another.
+  /// A number of unknown k over what is tolerated of it beside the state, or beside the larger of it and another. Nothing is
+  /// tolerated where nothing is.
+  double relative(double value, std::size_t k, std::vector<double> const* other) const {
+    if (value == 0.0) return 0.0;
+    double const scale = k < system_.scales.size() ? system_.scales[k] : 1.0;
+    double const size = other ? std::max(std::abs(y_[k]), std::abs((*other)[k])) : std::abs(y_[k]);
+    return value / (tolerances_.relative * size + tolerances_.absolute * scale);
+  }
+  /// Root mean square of value(k), relative.
   double norm(auto const& value, std::vector<double> const* other = nullptr) const {
     double const sum = sum_of_rows(size_, system_.threads, 0.0, [&](std::size_t k) {
-      double const scale = k < system_.scales.size() ? system_.scales[k] : 1.0;
-      double const size = other ? std::max(std::abs(y_[k]), std::abs((*other)[k])) : std::abs(y_[k]);
-      double const part = value(k) / (tolerances_.relative * size + tolerances_.absolute * scale);
+      double const part = relative(value(k), k, other);
       return part * part;
     });
     return std::sqrt(sum / static_cast<double>(size_));
+  }
+  double largest(auto const& value) const {
+    return joined_blocks(
+        size_, system_.threads, 0.0,
+        [&](std::size_t begin, std::size_t end) {
+          double most = 0.0;
+          for (std::size_t k = begin; k < end; ++k) most = std::max(most, std::abs(relative(value(k), k, nullptr)));
+          return most;
+        },
+        [](double& all, double part) { all = std::max(all, part); });
   }
 
   OdeSystem const& system_;
@@ -182,17 +209,18 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
   };
   DormandPrince solver(system, std::move(y), tolerances);
   try {
-    solver.begin();
     Samples samples(system);
     samples.pass(0.0, solver.state(), solver.quadratures());
+    solver.begin();
     double dt = solver.first_step(final_time);
     double error_before = 1e-4;
     double judged = 0.0;  // the time up to which steps have been judged
+    bool was_rejected = false;
     while (result.time < final_time) {
       double const begin = result.time;
-      bool const is_last = dt >= final_time - begin;
+      bool const is_last = dt >= (final_time - begin) * (1.0 - sliver);
       if (is_last) dt = final_time - begin;
-      if (dt <= lost_in_rounding * begin) {
+      if (!is_last && !(dt > lost_in_rounding * final_time)) {
         fail(OdeOutcome::failed, "the explicit integrator's step shrank to nothing");
         break;
       }
@@ -200,7 +228,8 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
       double const factor = error > 0.0 ? safety * std::pow(error, -of_error) * std::pow(error_before, of_error_before) : most_factor;
       if (!(error <= 1.0)) {
         solver.reject(begin);
-        dt *= std::max(least_factor, std::min(safety, safety * std::pow(error, -0.2)));
+        was_rejected = true;
+        dt *= std::isfinite(error) ? std::clamp(safety * std::pow(error, -0.2), least_factor, safety) : least_factor;
         continue;
       }
       solver.accept();
@@ -220,7 +249,7 @@ OdeResult integrate_runge_kutta(OdeSystem const& system, std::vector<double> y, 
         result.outcome = OdeOutcome::stopped;
         break;
       }
-      dt *= std::clamp(factor, least_factor, most_factor);
+      dt *= std::clamp(factor, least_factor, std::exchange(was_rejected, false) ? 1.0 : most_factor);
       error_before = std::max(error, 1e-4);
     }
   } catch (NotFinite const& found) {

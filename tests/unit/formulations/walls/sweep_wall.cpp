@@ -63,7 +63,7 @@ BOOST_AUTO_TEST_CASE(pair_sweep_overwrites_and_wall_sweep_adds_and_returns_its_t
   TermLoops const one{.sum = [](Batch const& batch, RowTerm const* term) {
     for (std::size_t row = 0; row < batch.rows; ++row)
       term->outputs[0][batch.begin + row] = batch.first[row + 1] > batch.first[row] ? 1.0 : 0.0;
-  }};
+  }, .components = 1};
   sweep.add(one, {}, {}, out);
   sweep.run(scene.particles);
   for (std::size_t i = 0; i < 20; ++i) BOOST_TEST(out[i] == (geometry.neighbours.row(i).empty() ? 0.0 : 1.0));

@@ -280,6 +280,43 @@ BOOST_AUTO_TEST_CASE(the_explicit_method_keeps_six_vectors_and_gives_the_same_bi
   BOOST_TEST(four.steps == one.steps);
 }
 
+BOOST_AUTO_TEST_CASE(units_of_time_and_of_unknowns_change_no_step_of_the_explicit_method) {
+  // Powers of two: all is the same to the last bit.
+  auto const run = [](double time_unit, double unit) {
+    OdeSystem system = with_rate([=](double t, double const* y, double* out) {
+      double const u = y[0] * unit, s = t * time_unit;
+      out[0] = (-u * u + std::cos(s)) * time_unit / unit;
+    });
+    system.scales = {1.0 / unit};
+    OdeResult result = integrate(Method::runge_kutta, system, {1.0 / unit}, 3.0 / time_unit, 1e-7);
+    result.y[0] *= unit;
+    return result;
+  };
+  OdeResult const usual = run(1.0, 1.0);
+  BOOST_TEST((usual.outcome == OdeOutcome::finished));
+  for (double const one : {0x1p100, 0x1p-100})
+    for (double const other : {0x1p100, 0x1p-100}) {
+      OdeResult const scaled = run(one, other);
+      BOOST_TEST(scaled.steps == usual.steps);
+      BOOST_TEST(scaled.y[0] == usual.y[0]);
+    }
+}
+
+BOOST_AUTO_TEST_CASE(unknowns_of_which_nothing_is_tolerated_end_no_run_that_leaves_them_alone) {
+  OdeSystem system = with_rate([](double, double const* y, double* out) {
+    out[0] = -y[0];
+    out[1] = 0.0;
+  });
+  system.scales = {1.0, 0.0};
+  OdeResult const result = integrate(Method::runge_kutta, system, {1.0, 0.0}, 1.0, 1e-6);
+  BOOST_TEST((result.outcome == OdeOutcome::finished));
+  system.rate = [](double, double const* y, double* out) {
+    out[0] = -y[0];
+    out[1] = y[1] == 0.0 ? 1.0 : std::numeric_limits<double>::infinity() * 0.0 + 1.0;
+  };
+  BOOST_TEST((integrate(Method::runge_kutta, system, {1.0, 0.0}, 1.0, 1e-6).outcome != OdeOutcome::finished));  // and it ends
+}
+
 BOOST_AUTO_TEST_CASE(a_step_that_is_not_accepted_leaves_the_state_as_it_was) {
   // Where the rate turns on, steps are tried that are far too long; before it nothing has changed.
   OdeSystem system = with_rate([](double t, double const* y, double* out) { out[0] = t < 0.7 ? 0.0 : -1e3 * (y[0] - t); });

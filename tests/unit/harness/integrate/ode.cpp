@@ -271,11 +271,12 @@ BOOST_AUTO_TEST_CASE(the_explicit_method_keeps_six_vectors_and_gives_the_same_bi
   OdeSystem system = with_rate([](double t, double const* y, double* out) {
     for (std::size_t i = 0; i < n; ++i) out[i] = std::sin(static_cast<double>(i)) - y[i] * y[n - 1 - i] + t;
   });
-  OdeResult const one = integrate(Method::runge_kutta, system, std::vector<double>(n, 0.5), 1.0, 1e-6);
+  system.size = n;
+  OdeResult const one = integrate_runge_kutta(system, std::vector<double>(n, 0.5), 1.0, {1e-6, 1e-6});
   BOOST_TEST((one.outcome == OdeOutcome::finished));
   BOOST_TEST(one.bytes == 6 * n * sizeof(double));
   system.threads = 4;
-  OdeResult const four = integrate(Method::runge_kutta, system, std::vector<double>(n, 0.5), 1.0, 1e-6);
+  OdeResult const four = integrate_runge_kutta(system, std::vector<double>(n, 0.5), 1.0, {1e-6, 1e-6});
   BOOST_TEST((four.y == one.y));
   BOOST_TEST(four.steps == one.steps);
 }

@@ -423,7 +423,7 @@ BOOST_AUTO_TEST_CASE(heat_through_walls_is_part_of_their_energy) {
   for (WallBudget const& wall : record.wall_budgets) walls += wall.energy;
   BOOST_TEST(record.wall_budgets[0].heat > 1e-3);
   BOOST_TEST(record.wall_budgets[0].energy > record.wall_budgets[0].heat);  // the piston works as well
-  BOOST_TEST(std::abs(energy.drift) < 1e-6);
+  BOOST_TEST(std::abs(energy.drift) < 5e-6);  // a few times the tolerance of the steps
   BOOST_TEST(std::abs(energy.pair_drift.value()) < 1e-14);
   // What the left wall prescribes, heat and work, is what it gives.
   BOOST_TEST(record.wall_budgets[0].prescribed_energy == record.wall_budgets[0].energy, tolerance(0.1));

@@ -33,8 +33,13 @@ def l1(weights, computed, exact):
 
 
 def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: noh_norms.py RESULTS.json")
     with open(sys.argv[1], encoding="utf-8") as file:
         document = json.load(file)
+    for index, run in enumerate(document["runs"]):
+        if run["case"] != "hydro/noh" or run["parameters"].get("window") is None or (run["status"] == "ok" and not run.get("profile")):
+            sys.exit(f"{sys.argv[1]}: runs[{index}]: expected hydro/noh with a window and the measure `profile`")
     print(f"{'':72}" + "".join(f"{field:>24}" for field in FIELDS))
     print(f"{'':72}" + f"{'spacings':>14}{'volumes':>10}" * len(FIELDS))
     for run in document["runs"]:

@@ -1000,17 +1000,23 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(loops_of_every_kernel_are_dense_sums_in_every_inst
   }
 }
 
-/// The loop among those that were made that serves records without velocities of drift.
-BatchFunction of_plain_records(std::array<LoopForSlots, 2> const& made) { return made[0].sum; }
-
-BOOST_AUTO_TEST_CASE_TEMPLATE(loops_made_for_certain_records_give_what_those_for_any_give, D, Dimensions) {
-  constexpr int Dim = D::value;
+/// Rows of every length, boxes of every kind, smoothing lengths in common and of each.
+template <int Dim>
+std::vector<RandomScene<Dim>> scenes_of_every_kind() {
   std::vector<RandomScene<Dim>> scenes{clusters<Dim>(22)};
   for (Box const box : {Box::open, Box::along_axes, Box::turned}) scenes.push_back(in_box<Dim>(22, 150, box));
   scenes.push_back(scenes.back());
   Random random(23);
   vary_lengths(scenes.back().particles, random);
-  for (RandomScene<Dim> const& scene : scenes) {
+  return scenes;
+}
+
+/// The loop among those that were made that serves records without velocities of drift.
+BatchFunction of_plain_records(std::array<LoopForSlots, 2> const& made) { return made[0].sum; }
+
+BOOST_AUTO_TEST_CASE_TEMPLATE(loops_made_for_certain_records_give_what_those_for_any_give, D, Dimensions) {
+  constexpr int Dim = D::value;
+  for (RandomScene<Dim> const& scene : scenes_of_every_kind<Dim>()) {
     NeighbourList const list = list_of(scene);
     for (InstructionSet<Dim> const& set : all_instruction_sets<Dim>()) {
       std::vector<Term> const all = all_terms<Dim>(set);
@@ -1039,12 +1045,7 @@ BOOST_AUTO_TEST_CASE_TEMPLATE(instruction_sets_agree_to_round_off, D, Dimensions
   constexpr int Dim = D::value;
   InstructionSet<Dim> const baseline = baseline_loops<Dim>();
   InstructionSet<Dim> const avx2 = avx2_loops<Dim>();
-  std::vector<RandomScene<Dim>> scenes{clusters<Dim>(22)};
-  for (Box const box : {Box::open, Box::along_axes, Box::turned}) scenes.push_back(in_box<Dim>(22, 150, box));
-  scenes.push_back(scenes.back());
-  Random random(23);
-  vary_lengths(scenes.back().particles, random);
-  for (RandomScene<Dim> const& scene : scenes) {
+  for (RandomScene<Dim> const& scene : scenes_of_every_kind<Dim>()) {
     NeighbourList const list = list_of(scene);
     std::vector<Term> const terms = all_terms<Dim>(baseline);
     std::vector<Term> const same_terms = all_terms<Dim>(avx2);

@@ -53,8 +53,8 @@ class Journal {
   /// all finished or none of them is.
   void append(std::map<std::size_t, std::optional<Cost>> const& costs);
 
-  /// Appends a finished run with one write, so that a kill leaves whole lines. May be called by several
-  /// threads.
+  /// Appends a finished run with one write, so that a kill cuts the last line at most. May be called by
+  /// several threads.
   void append(std::size_t index, RunRecord const& run);
 
   /// Removes the journal: its study is complete.

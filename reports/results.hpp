@@ -22,6 +22,7 @@ struct Context {
   int cores = 0;
   std::string program = "sphverify";  ///< what wrote the results
   std::vector<std::string> added{};   ///< identifiers of its parts that are not ours
+  std::string machine{};              ///< names the machine without saying which it is; empty: not known
 };
 
 struct LayoutChoice {
@@ -131,6 +132,7 @@ struct Cost {
   int repeats = 0;
   int batch = 1;         ///< runs timed together as one repeat, whose time is divided by their number
   bool warm_up = false;  ///< whether the same was run before the first repeat
+  std::string machine;   ///< where it was timed, as Context names it; empty: not known
   std::string occasion;  ///< names the rounds in which this and other runs took turns; empty: timed alone
   std::vector<double> round_seconds;  ///< wall time of the repeat of each round, in their order [s]
   std::uint64_t steps = 0, rate_evaluations = 0, pair_interactions = 0;
@@ -358,6 +360,7 @@ struct Series {
   double smoothing_exponent = 0.0;
   std::vector<std::size_t> runs;  ///< indices into Results::runs
   bool discontinuous = false;     ///< the exact solution jumps
+  bool is_timed_apart = false;    ///< runs of its case were timed on several machines: it has no times
   std::vector<OrderEntry> orders;
   std::vector<TimeToError> time_to_error;
 };
@@ -392,10 +395,20 @@ struct Envelope {
   std::vector<Point> points;   ///< as tried
 };
 
+/// What one machine did of a study that several shared.
+struct Share {
+  Context context;
+  std::size_t runs = 0;
+};
+
 /// The whole document. The study is kept as it was run, defaults filled in, in the form of the document.
 struct Results {
   Context context;
   std::string study;  ///< JSON text
+  /// Of a part, which runs of the study it holds (of an envelope, which searches), as `expand` counts them;
+  /// empty: all. A part has no series.
+  std::optional<std::vector<std::size_t>> part{};
+  std::vector<Share> shares{};  ///< of what was merged from parts, in their order
   std::vector<RunRecord> runs;
   std::vector<Series> series;
   std::vector<Surface> surfaces;

@@ -7,6 +7,6 @@ namespace sphverify {
 
 /// What may become of a run (contract).
 inline std::vector<std::string> const run_statuses{"ok",        "unstable", "non-finite", "positivity-lost",
-                                                   "timed-out", "invalid",  "failed"};
+                                                   "timed-out", "invalid",  "failed",   "crashed"};
 
 }  // namespace sphverify

@@ -6,12 +6,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <vector>
 
 #include "formulations/basics/fork_join.hpp"
 
 namespace sphverify {
+
+/// Where a thread carries out its loops with so many of them: one arena, since each new one has to gather its workers.
+inline tbb::task_arena& arena_of(int threads) {
+  thread_local std::map<int, tbb::task_arena> arenas;
+  return arenas.try_emplace(threads, threads).first->second;
+}
 
 /// Calls block(begin, end) for parts of [0, count) that together are all of it. With several threads each
 /// part is still the work of one, so that results do not depend on their number.
@@ -23,8 +30,7 @@ void for_each_block(std::size_t count, int threads, Block const& block, std::siz
     return;
   }
   ForkJoin loop;
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
+  arena_of(threads).execute([&] {
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, least), [&](auto const& rows) {
       ForkJoin::Part const part(loop);
       block(rows.begin(), rows.end());

@@ -14,6 +14,7 @@ inline constexpr int exit_program_error = 3;
 void add_list(CLI::App& app);
 void add_describe(CLI::App& app);
 void add_study(CLI::App& app);
+void add_merge(CLI::App& app);
 void add_repeat(CLI::App& app);
 void add_compare(CLI::App& app);
 void add_gate(CLI::App& app);

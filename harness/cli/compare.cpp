@@ -83,7 +83,7 @@ void compare_documents(CompareCommand const& command) {
   std::vector<std::string> const names = document_names(command.documents);
   std::vector<NamedResults> documents;
   for (std::size_t k = 0; k < names.size(); ++k)
-    documents.push_back({names[k], read_results(command.documents[k])});
+    documents.push_back({names[k], read_whole_results(command.documents[k])});
   require_region(command.options, documents);
   CompareOptions options = command.options;
   options.style.format = command.format == "markdown" ? TableFormat::markdown

@@ -42,7 +42,7 @@ void append(std::string const& path, std::string const& text) {
 }
 
 void rebaseline(Gates const& gates, GateCommand const& command) {
-  Results const results = read_results(command.results);
+  Results const results = read_whole_results(command.results);
   Rebaseline const plan = plan_rebaseline(gates, results, command.results);
   write_document("-", rebaseline_text(plan));
   for (std::string const& path : plan.paths) {
@@ -60,7 +60,7 @@ void gate(GateCommand const& command) {
 
   if (!command.junit.empty()) require_report_file(command, command.junit, "--junit");
   if (!command.markdown.empty()) require_report_file(command, command.markdown, "--markdown");
-  Results const results = read_results(command.results);
+  Results const results = read_whole_results(command.results);
   auto const verdicts = judge(gates, results, read_baselines(gates, command.results));
 
   if (std::string const summary = environment("GITHUB_STEP_SUMMARY"); !summary.empty())

@@ -67,6 +67,7 @@ int program_main(int argc, char** argv, Program const& program) {
   add_list(app);
   add_describe(app);
   add_study(app);
+  add_merge(app);
   add_repeat(app);
   add_compare(app);
   add_gate(app);

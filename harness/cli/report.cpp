@@ -20,7 +20,7 @@ void report(ReportCommand const& command) {
   for (std::string const& path : command.documents) {
     require_writable(command.output, path);
     std::string const name = path == "-" ? "results" : std::filesystem::path(path).stem().string();
-    documents.push_back({name, read_results(path)});
+    documents.push_back({name, read_whole_results(path)});
   }
   write_document(command.output, report_page(documents, control_ids()));
 }

@@ -1,9 +1,11 @@
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <memory>
 
 #include "harness/cli/commands.hpp"
 #include "harness/study/no_effect.hpp"
+#include "harness/study/ranks.hpp"
 #include "harness/study/run_study.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -13,6 +15,7 @@ namespace {
 
 struct StudyCommand {
   std::string document;
+  std::string part;
   StudyOptions options;
 };
 
@@ -29,13 +32,16 @@ void stop_on_signals() {
 }
 
 void study(StudyCommand const& command) {
+  // Of several processes that say the same one is heard.
+  if (rank_of_process().number > 0 && std::freopen("/dev/null", "w", stderr) == nullptr) std::fclose(stderr);
   require_writable(command.options.output, command.document);
+  StudyOptions options = command.options;
+  if (!command.part.empty()) options.part = read_part(command.part);
   Json const json = read_json_file(command.document);
   Node const document(json, command.document);
   Study const read = read_study(document);
   require_effects(read, document);
   stop_on_signals();
-  StudyOptions options = command.options;
   options.document = command.document;
   options.interrupted = &interrupted;
   run_study(read, options);
@@ -48,11 +54,13 @@ void add_study(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("study", "Runs every combination of a study document");
   sub->add_option("STUDY.json", command->document, "The study; - for standard input")->required();
   sub->add_option("-o,--output", command->options.output, "Where the results go; standard output by default");
-  sub->add_option("-j,--jobs", command->options.jobs, "Runs at a time; by default one per core")
+  sub->add_option("-j,--jobs", command->options.jobs, "Runs at a time, by default one per core; under mpirun or srun of each rank, by default one")
       ->check(CLI::Range(1, 1 << 16));
   sub->add_flag("--resume", command->options.resume, "Take up the journal that an interrupted study left");
+  sub->add_option("--part", command->part, "K/M: the K-th of M parts of the runs that take about equally long; `merge` puts them together");
   sub->footer(
       "Finished runs are kept in RESULTS.json.journal until the results are written.\n"
+      "Under mpirun or srun the ranks share the runs, and rank 0 writes.\n"
       "Example: sphverify study cases/studies/conduction-walls-1d.json -o results.json");
   sub->callback([command] { study(*command); });
 }

@@ -323,7 +323,7 @@ Baselines read_baselines(Gates const& gates, std::string const& results_path) {
     if (std::filesystem::equivalent(path, results_path, none)) {
       throw UserError(gates.file, gate.key + ".baseline", "the results themselves", "stored results");
     }
-    baselines.emplace(path, read_results(path));
+    baselines.emplace(path, read_whole_results(path));
   }
   return baselines;
 }

@@ -117,6 +117,10 @@ void measure_time_to_error(Measuring& measuring, Measured& m) {
     m.problem = fmt::format("{} was not run on this", gate.relative_to.id);
     return;
   }
+  if (m.series->is_timed_apart || other->is_timed_apart) {
+    m.problem = "runs of the case were timed on several machines, whose times are not compared";
+    return;
+  }
   TimeToError const* const own = find_entry(measuring, m.series->time_to_error, field_of(gate, m));
   std::set<std::string> targets;
   for (TimeToError const& t : m.series->time_to_error) targets.insert(fmt::format("{}", t.relative));
@@ -167,6 +171,10 @@ void measure_cost(Measuring& measuring, Measured& m) {
     return;
   }
   auto const& quantity = find_quantity(cost_table(), gate.quantity);
+  if (gate.quantity.ends_with("seconds") && m.run->cost->machine != other->cost->machine) {
+    m.problem = fmt::format("{} was timed on another machine, and times of two machines are not compared", other->label);
+    return;
+  }
   Number const own = quantity.value(*m.run->cost);
   Number const its = quantity.value(*other->cost);
   put(m, own && its && *its > 0.0 ? Number(*own / *its) : Number(), gate.quantity + " is null or zero");

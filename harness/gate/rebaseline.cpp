@@ -39,7 +39,7 @@ Rebaseline plan_rebaseline(Gates const& gates, Results const& results, std::stri
     if (!before.contains(path)) {
       require_writable(path, results_path);
       plan.paths.push_back(path);
-      before[path] = std::filesystem::exists(path) ? std::optional(read_results(path)) : std::nullopt;
+      before[path] = std::filesystem::exists(path) ? std::optional(read_whole_results(path)) : std::nullopt;
     }
     auto const now = measure(gate, results, gates.file);
     if (now.empty()) throw UserError(gates.file, gate.key + ".select", why_empty(gate, results), "a run");

@@ -16,6 +16,7 @@
 #include "harness/measure/order.hpp"
 #include "reports/find_error.hpp"
 #include "reports/mean_time.hpp"
+#include "reports/timed_apart.hpp"
 
 namespace sphverify {
 
@@ -127,7 +128,7 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
     if (!failures.empty()) step.errors.clear();
     step.out_of_time =
         !failures.empty() && std::all_of(failures.begin(), failures.end(),
-                                         [](auto const& status) { return status == "timed-out" || status == "failed"; });
+                                         [](auto const& status) { return status == "timed-out" || status == "failed" || status == "crashed"; });
     auto const average = [](std::vector<double> const& values) -> Number {
       if (values.empty()) return std::nullopt;
       return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -136,7 +137,6 @@ OrderEntry measure_order(Levels const& levels, std::string const& field, std::st
     if (means.size() == step.errors.size()) step.mean = average(means);
     entry.levels.push_back({level.front()->resolution, step.spacing, static_cast<int>(level.size()), mean,
                             standard_deviation(step.errors), std::nullopt});
-    set_times(level, entry.levels.back());
     entry.levels.back().mean = step.mean;
     ladder.push_back(std::move(step));
   }
@@ -181,7 +181,8 @@ void set_seconds(std::vector<SeriesLevel> const& levels, TimeToError& entry) {
   }
 }
 
-void measure_times(Levels const& levels, OrderEntry const& entry, NormChoice const& norm, Series& series) {
+void measure_times(Levels const& levels, NormChoice const& norm, OrderEntry& entry, Series& series) {
+  for (std::size_t k = 0; k < levels.size(); ++k) set_times(levels[k], entry.levels[k]);
   Number const scale = exact_norm(levels, entry, norm);
   bool const timed = std::any_of(entry.levels.begin(), entry.levels.end(),
                                  [](SeriesLevel const& level) { return level.seconds.has_value(); });
@@ -215,7 +216,7 @@ void measure(Series& series, std::vector<RunRecord> const& runs) {
   for (auto const& [field, region] : measured) {
     for (NormChoice const& norm : norm_choices) {
       series.orders.push_back(measure_order(levels, field, region, norm));
-      measure_times(levels, series.orders.back(), norm, series);
+      if (!series.is_timed_apart) measure_times(levels, norm, series.orders.back(), series);
     }
   }
 }
@@ -224,6 +225,7 @@ void measure(Series& series, std::vector<RunRecord> const& runs) {
 
 std::vector<Series> build_series(std::vector<RunRecord> const& runs, int threads) {
   std::vector<Series> all;
+  TimedApart const timed_apart(runs);
   for (std::size_t index = 0; index < runs.size(); ++index) {
     RunRecord const& run = runs[index];
     auto found = std::find_if(all.rbegin(), all.rend(), [&](Series const& s) { return same_ladder(s, run); });
@@ -235,6 +237,7 @@ std::vector<Series> build_series(std::vector<RunRecord> const& runs, int threads
       series.parameters = run.parameters;
       series.formulation = run.formulation;
       series.discretisation = run.discretisation;
+      series.is_timed_apart = timed_apart.contains(run.case_id, run.parameters);
       series.smoothing_exponent = run.smoothing_exponent;
       all.push_back(std::move(series));
       found = all.rbegin();

@@ -12,6 +12,7 @@
 #include "cases/support/case.hpp"
 #include "reports/find_error.hpp"
 #include "reports/norm_of.hpp"
+#include "reports/timed_apart.hpp"
 
 namespace sphverify {
 
@@ -72,8 +73,8 @@ Number error_of(RunRecord const& run, std::string const& field, std::string cons
   return value > error->round_off ? Number(value) : std::nullopt;
 }
 
-SurfaceCell cell_of(std::vector<RunRecord const*> const& runs, std::string const& field,
-                    std::string const& norm) {
+SurfaceCell cell_of(std::vector<RunRecord const*> const& runs, std::string const& field, std::string const& norm,
+                    bool is_timed_apart) {
   RunRecord const& first = *runs.front();
   SurfaceCell cell;
   cell.resolution = first.resolution;
@@ -90,8 +91,8 @@ SurfaceCell cell_of(std::vector<RunRecord const*> const& runs, std::string const
     cell.spread = std::sqrt(sum / static_cast<double>(runs.size() - 1));
   }
   // A machine that has other work stretches the wall time, not the processor's.
-  cell.seconds = mean_of(runs, [](RunRecord const& run) {
-    if (!run.cost || run.status != "ok") return Number();
+  cell.seconds = mean_of(runs, [&](RunRecord const& run) {
+    if (!run.cost || run.status != "ok" || is_timed_apart) return Number();
     return run.cost->cpu_seconds ? run.cost->cpu_seconds : Number(run.cost->seconds);
   });
   cell.pair_interactions = mean_of(runs, [](RunRecord const& run) {
@@ -101,7 +102,7 @@ SurfaceCell cell_of(std::vector<RunRecord const*> const& runs, std::string const
   return cell;
 }
 
-void add_surfaces(Grid const& grid, std::vector<Surface>& all) {
+void add_surfaces(Grid const& grid, bool is_timed_apart, std::vector<Surface>& all) {
   std::set<std::string> fields;
   for (auto const& [place, runs] : grid.cells) {
     for (RunRecord const* run : runs) {
@@ -121,13 +122,14 @@ void add_surfaces(Grid const& grid, std::vector<Surface>& all) {
     surface.error.region = region;
     surface.error.norm = jumps ? "l1" : "l2";
     for (auto const& [place, runs] : grid.cells)
-      surface.error.cells.push_back(cell_of(runs, field, surface.error.norm));
+      surface.error.cells.push_back(cell_of(runs, field, surface.error.norm, is_timed_apart));
   }
 }
 
 }  // namespace
 
 std::vector<Surface> build_surfaces(std::vector<RunRecord> const& runs) {
+  TimedApart const timed_apart(runs);
   std::vector<Grid> grids;
   for (RunRecord const& run : runs) {
     if (run.smoothing_exponent != 0.0) continue;
@@ -141,7 +143,8 @@ std::vector<Surface> build_surfaces(std::vector<RunRecord> const& runs) {
   }
   std::vector<Surface> surfaces;
   for (Grid const& grid : grids) {
-    if (grid.is_large_enough()) add_surfaces(grid, surfaces);
+    if (grid.is_large_enough())
+      add_surfaces(grid, timed_apart.contains(grid.first->case_id, grid.first->parameters), surfaces);
   }
   tbb::parallel_for(std::size_t{0}, surfaces.size(),
                     [&](std::size_t k) { explain_surface(surfaces[k].error); });

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <utility>
 
+#include "harness/measure/machine.hpp"
+
 namespace sphverify {
 
 namespace {
@@ -93,6 +95,7 @@ bool Repeats::is_narrow() const {
 std::optional<Cost> Repeats::cost() const {
   if (!fastest_) return std::nullopt;
   Cost cost = *fastest_;
+  cost.machine = machine_name();
   cost.repeats = static_cast<int>(seconds_.size());
   cost.warm_up = true;
   cost.median = median_of(seconds_);

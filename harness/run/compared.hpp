@@ -44,6 +44,12 @@ inline constexpr double largest_time_error_share = 0.01;
 /// Records the change of the leading field and that share; what is no number is left out and said.
 void put_time_error(double change, double share, Integration& integration);
 
+/// Of a run that stands though the one that would have checked it ran out of time.
+inline constexpr char const* half_step_out_of_time =
+    "the time budget ended the run with half the step: how far the steps are to blame is not known";
+inline constexpr char const* next_tolerance_out_of_time =
+    "the time budget ended the run with the next tolerance: what is given is that of the last but one, which bounds it";
+
 inline constexpr char const* no_time_error_because_it_broke = "the run broke: nothing was compared";
 
 }  // namespace sphverify

@@ -90,6 +90,15 @@ class ConductionRun : ConductionIntegration<Dim> {
       set_tolerance(tolerance);  // the one that a run which breaks was at
       std::optional<OdeResult> tighter = integrate(conduction_, tolerance, with_quadratures);
       if (!tighter) {
+        // Only the check ran out of time: what it was to check stands, as well as is known.
+        if (looser && record_.status == "timed-out" && integration.time_error_share) {
+          integration.remark = next_tolerance_out_of_time;
+          record_.status = "ok";
+          record_.reason.clear();
+          set_tolerance(accepted);
+          history_ = std::move(history);
+          return looser;
+        }
         // Newton's iteration may not converge over long steps of one size.
         bool const may_do_better = record_.discretisation.integrator == "implicit-runge-kutta" &&
                                    tolerance != conduction_tolerances.back() && record_.status == "unstable";

@@ -126,6 +126,15 @@ class MovingRun : MovingIntegration<Dim> {
       describe(rung);
       std::optional<FinalState<Dim>> tighter = integrate(choice_, rung);
       if (!tighter) {
+        // Only the check ran out of time: what it was to check stands. Leapfrog's steps are those of the limits; of a
+        // tolerance that was never compared nobody knows whether it was enough.
+        if (looser && record_.status == "timed-out" && (is_leapfrog() || integration.time_error_share)) {
+          integration.remark = is_leapfrog() ? half_step_out_of_time : next_tolerance_out_of_time;
+          record_.status = "ok";
+          record_.reason.clear();
+          describe(accepted);
+          return looser;
+        }
         // A loose tolerance can lead where the equations do not.
         bool const may_do_better = !is_leapfrog() && rung != rungs.back() && record_.status != "timed-out";
         if (!may_do_better) return std::nullopt;

@@ -67,9 +67,8 @@ Repetition repetition_of(Problem<Dim> const& problem, RunSpec const& spec, RunOp
 
 }  // namespace
 
-MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options) {
-  MeasuredRun run;
-  RunRecord& record = run.record;
+RunRecord begun_record(RunSpec const& spec) {
+  RunRecord record;
   record.case_id = spec.scene_case->info.id;
   record.parameters = spec.parameters.all();
   record.formulation = spec.formulation;
@@ -77,6 +76,12 @@ MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options) {
   record.discretisation = spec.discretisation;
   record.smoothing_exponent = spec.smoothing_exponent;
   record.resolution = spec.resolution;
+  return record;
+}
+
+MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options) {
+  MeasuredRun run;
+  RunRecord& record = run.record = begun_record(spec);
   try {
     AnyProblem const problem = spec.scene_case->problem(spec.parameters);
     if (spec.code) {

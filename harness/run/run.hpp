@@ -64,6 +64,9 @@ struct MeasuredRun {
   double spent_seconds = 0.0;  ///< of its time budget, before the repeats
 };
 
+/// What is known of a run before it is carried out.
+RunRecord begun_record(RunSpec const& spec);
+
 /// Carries out a run but for its repeats. Whatever goes wrong with the numbers is a status and a reason in
 /// the record. Throws Interrupted.
 MeasuredRun measure_run(RunSpec const& spec, RunOptions const& options);

@@ -1,6 +1,7 @@
 #include "harness/study/comparison_groups.hpp"
 
 #include <map>
+#include <numeric>
 
 namespace sphverify {
 
@@ -30,6 +31,13 @@ std::vector<std::size_t> comparison_groups(std::vector<RunSpec> const& runs) {
     }
   }
   return group_of;
+}
+
+std::vector<std::size_t> timing_groups(std::vector<RunSpec> const& runs, MeasureSet const& measure, RepeatRule const& repeat) {
+  if (measure.contains(Measure::cost) && repeat.most > 1) return comparison_groups(runs);
+  std::vector<std::size_t> groups(runs.size());
+  std::iota(groups.begin(), groups.end(), std::size_t{0});
+  return groups;
 }
 
 }  // namespace sphverify

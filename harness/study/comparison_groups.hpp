@@ -12,4 +12,7 @@ namespace sphverify {
 /// @return for each run the number of its group, counted as groups first appear
 std::vector<std::size_t> comparison_groups(std::vector<RunSpec> const& runs);
 
+/// The same of what is asked for: where nothing is timed again each run is a group by itself.
+std::vector<std::size_t> timing_groups(std::vector<RunSpec> const& runs, MeasureSet const& measure, RepeatRule const& repeat);
+
 }  // namespace sphverify

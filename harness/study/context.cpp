@@ -5,22 +5,14 @@
 
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 #include <thread>
 
+#include "harness/measure/machine.hpp"
 #include "sphverify_build.hpp"
 
 namespace sphverify {
 
 namespace {
-
-std::string processor_name() {
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  }
-  return "unknown";
-}
 
 struct Identity {
   std::string program = "sphverify";
@@ -49,7 +41,8 @@ Context current_context() {
           .date = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))),
           .cores = static_cast<int>(std::thread::hardware_concurrency()),
           .program = identity().program,
-          .added = identity().added};
+          .added = identity().added,
+          .machine = machine_name()};
 }
 
 }  // namespace sphverify

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "harness/study/fingerprint.hpp"
+#include "harness/study/same_run.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -41,10 +42,6 @@ OpenFile open_for_one(std::string const& path) {
 
 }  // namespace
 
-OpenFile::~OpenFile() {
-  if (descriptor_ >= 0) close(descriptor_);
-}
-
 Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::move(path)) {
   file_ = open_for_one(path_);
   if (!resume && lseek(file_, 0, SEEK_END) > 0) {
@@ -70,7 +67,7 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
     }
     if (start == 0 && (!line.contains("study") || line.at("study") != study)) {
       throw UserError(path_, "study", "the journal of another study",
-                      "this one's: resume with the same document, or without --resume to start afresh");
+                      "this one's: resume with the same document and part, or without --resume to start afresh");
     }
     if (start == 0 && line.value("build", "") != build) {
       throw UserError(path_, "build", "the journal of another build of the program or of a plug-in",
@@ -113,10 +110,7 @@ void Journal::require_same(std::size_t index, RunSpec const& spec) const {
   auto const awaits = awaiting_.find(index);
   if (finished == finished_.end() && awaits == awaiting_.end()) return;
   RunRecord const& r = finished == finished_.end() ? awaits->second.record : finished->second;
-  if (r.case_id == spec.scene_case->info.id && r.parameters == spec.parameters.all() &&
-      r.formulation == spec.formulation && r.discretisation == spec.discretisation &&
-      r.smoothing_exponent == spec.smoothing_exponent && r.resolution == spec.resolution)
-    return;
+  if (is_of(r, spec)) return;
   throw UserError(
       path_, fmt::format("run {}", index),
       fmt::format("a record of another run, {} on {} at resolution {}", r.label, r.case_id, r.resolution),
@@ -126,11 +120,18 @@ void Journal::require_same(std::size_t index, RunSpec const& spec) const {
 }
 
 void Journal::write_lines(std::string const& lines) {
+  // Another thread's line must not follow half of one.
+  if (is_cut_) throw std::runtime_error(path_ + ": a line could not be written, and none may follow it");
+  off_t const before = lseek(file_, 0, SEEK_CUR);
   std::size_t written = 0;
   while (written < lines.size()) {
     ssize_t const n = write(file_, lines.data() + written, lines.size() - written);
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) throw std::runtime_error(path_ + ": " + std::strerror(errno));
+    if (n < 0) {
+      int const error = errno;
+      is_cut_ = before < 0 || ftruncate(file_, before) != 0 || lseek(file_, before, SEEK_SET) < 0;
+      throw std::runtime_error(path_ + ": " + std::strerror(error));
+    }
     written += static_cast<std::size_t>(n);
   }
 }

@@ -4,29 +4,13 @@
 #include <memory>
 #include <mutex>
 #include <string>
-#include <utility>
 
 #include "harness/run/run.hpp"
+#include "harness/study/open_file.hpp"
 #include "reports/json/node.hpp"
 #include "reports/results.hpp"
 
 namespace sphverify {
-
-/// Owns an open file of the system.
-class OpenFile {
- public:
-  explicit OpenFile(int descriptor = -1) : descriptor_(descriptor) {}
-  ~OpenFile();
-  OpenFile(OpenFile&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  OpenFile& operator=(OpenFile&& other) noexcept {
-    std::swap(descriptor_, other.descriptor_);
-    return *this;
-  }
-  operator int() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
 
 /// Finished runs of a study under way, one line of JSON each, so that a killed study loses only the runs in
 /// flight (and of those that were being timed together, only their timing). The first line holds the study,
@@ -66,6 +50,7 @@ class Journal {
 
   std::string path_;
   OpenFile file_;
+  bool is_cut_ = false;  ///< it ends in half a line
   std::map<std::size_t, RunRecord> finished_;
   std::map<std::size_t, MeasuredRun> awaiting_;
   std::mutex mutex_;

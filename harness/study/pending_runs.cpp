@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 #include "harness/study/comparison_groups.hpp"
@@ -18,20 +17,14 @@ std::string new_occasion() {
   return fmt::format("{:08x}{:08x}", source(), source());
 }
 
-/// Each run by itself: there is nothing to take turns for.
-std::vector<std::size_t> each_alone(std::size_t runs) {
-  std::vector<std::size_t> groups(runs);
-  std::iota(groups.begin(), groups.end(), std::size_t{0});
-  return groups;
-}
-
 }  // namespace
 
 PendingRuns::PendingRuns(std::vector<RunSpec> const& specs, RunOptions const& options, Journal* journal)
-    : specs_(specs), options_(options), journal_(journal), groups_(specs.size()) {
-  bool const are_repeated = options.measure.contains(Measure::cost) && options.repeat.most > 1;
-  group_of_ = are_repeated ? comparison_groups(specs) : each_alone(specs.size());
-}
+    : specs_(specs),
+      options_(options),
+      journal_(journal),
+      group_of_(timing_groups(specs, options.measure, options.repeat)),
+      groups_(specs.size()) {}
 
 void PendingRuns::sort(std::vector<std::size_t>& indices) const {
   std::stable_sort(indices.begin(), indices.end(),

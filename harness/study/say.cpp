@@ -49,9 +49,10 @@ void note(Reasons& reasons, std::string const& common, std::string const& exampl
 }  // namespace
 
 void say_how_it_went(std::vector<RunRecord> const& runs) {
-  Reasons invalid, failed, remarks, time_errors;
+  Reasons invalid, crashed, failed, remarks, time_errors;
   for (RunRecord const& run : runs) {
     if (run.status == "invalid") note(invalid, run.reason, run.reason);
+    if (run.status == "crashed") note(crashed, run.label, run.label + ": " + run.reason);
     if (run.status == "failed") note(failed, run.label, run.label + ": " + printable(run.reason));
     // What stands before a colon is the same where numbers differ.
     for (std::string const& remark : run.remarks) note(remarks, remark.substr(0, remark.find(':')), remark);
@@ -61,6 +62,7 @@ void say_how_it_went(std::vector<RunRecord> const& runs) {
   }
   say_outcomes(runs);
   say("invalid", invalid, runs.size());
+  say("crashed", crashed, runs.size());
   say("failed", failed, runs.size());
   say("remark", remarks, runs.size());
   say("time error not known", time_errors, runs.size());

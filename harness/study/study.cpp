@@ -170,6 +170,17 @@ RepeatRule read_repeat(Node const& node) {
   return rule;
 }
 
+std::vector<std::size_t> read_chosen_runs(Node const& node) {
+  if (!node.is_array()) node.complain("a list of runs, counted from 0");
+  std::vector<std::size_t> runs;
+  for (Node const& run : node.elements()) {
+    auto const number = static_cast<std::size_t>(run.integer(0, 1'000'000'000));
+    if (!runs.empty() && number <= runs.back()) run.complain("ascending numbers");
+    runs.push_back(number);
+  }
+  return runs;
+}
+
 /// Whether a formulation is a code that the study runs.
 bool names_external(Node const& node) {
   if (node.is_string()) {
@@ -199,7 +210,7 @@ Study read_study(Node const& document) {
                             {"schema", "name", "cases", "formulations", "discretisation", "resolution",
                              "smoothing_exponent", "measure", "threads", "repeat", "closure", "integrator",
                              "viscosity", "smoothing", "wall_motion", "time_budget", "envelope",
-                             "plugins"});
+                             "plugins", "runs"});
   // What is not known is named before what is missing.
   if (auto const d = document.find("discretisation")) {
     d->require_keys({"kernel", "pair_weight", "density", "smoothing_ratio", "layout", "face_weight", "closure", "integrator",
@@ -307,6 +318,7 @@ Study read_study(Node const& document) {
   study.time_budget = 300.0;
   if (auto const node = document.find("time_budget")) study.time_budget = node->positive_number();
   if (auto const node = document.find("envelope")) study.envelope = read_envelope(*node, study);
+  if (auto const node = document.find("runs")) study.runs = read_chosen_runs(*node);
   require_memory(study, document);
   return study;
 }
@@ -357,6 +369,7 @@ Json to_json(Study const& study) {
                         {"scale", study.envelope->logarithmic ? "logarithmic" : "linear"},
                         {"bisections", study.envelope->bisections}};
   }
+  if (study.runs) json["runs"] = *study.runs;
   return json;
 }
 

@@ -39,6 +39,9 @@ struct Study {
   std::shared_ptr<ExternalCode const> code_of(std::string const& formulation) const;
 
   std::optional<EnvelopeChoice> envelope;  ///< instead of single runs, how far each can be driven
+
+  /// Which of its runs (of an envelope: searches) are carried out, ascending, as `expand` counts all of them.
+  std::optional<std::vector<std::size_t>> runs;
 };
 
 struct MeasureWord {

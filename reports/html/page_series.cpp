@@ -44,7 +44,7 @@ Json levels_json(Series const& series, std::vector<RunRecord> const& runs, Dicti
     if (run.status != "ok") {
       ++level.failed;
       level.status = run.status;
-    } else if (run.cost) {
+    } else if (run.cost && !series.is_timed_apart) {
       level.timed.push_back(&*run.cost);
     }
   }

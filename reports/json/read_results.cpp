@@ -75,6 +75,7 @@ Cost read_cost(Node const& node) {
   c.repeats = static_cast<int>(count(node.at("repeats")));
   if (auto const batch = node.find("batch")) c.batch = static_cast<int>(count(*batch));
   if (auto const warm_up = node.find("warm_up")) c.warm_up = warm_up->boolean();
+  if (auto const machine = node.find("machine")) c.machine = machine->string();
   if (auto const occasion = node.find("occasion"); occasion && !occasion->is_null())
     c.occasion = occasion->string();
   if (auto const rounds = node.find("round_seconds")) {
@@ -270,25 +271,42 @@ RunRecord read_run(Node const& node) {
   return r;
 }
 
+namespace {
+
+Context read_context(Node const& node) {
+  Context context{node.at("version").string(),
+                  node.at("commit").string(),
+                  node.at("compiler").string(),
+                  node.at("flags").string(),
+                  node.at("processor").string(),
+                  node.at("date").string(),
+                  static_cast<int>(node.at("cores").integer(0, 1 << 30))};
+  // Documents of 0.1 have none of these.
+  if (auto const program = node.find("program")) context.program = program->string();
+  if (auto const added = node.find("added")) {
+    for (Node const& id : added->elements()) context.added.push_back(id.string());
+  }
+  if (auto const machine = node.find("machine")) context.machine = machine->string();
+  return context;
+}
+
+}  // namespace
+
 Results read_results(std::string const& path) {
   Json const json = read_json_file(path);
   Node const node(json, path);
   node.require_schema("sphverify-results/1");
   Results results;
-  Node const context = node.at("context");
-  results.context = {context.at("version").string(),
-                     context.at("commit").string(),
-                     context.at("compiler").string(),
-                     context.at("flags").string(),
-                     context.at("processor").string(),
-                     context.at("date").string(),
-                     static_cast<int>(context.at("cores").integer(0, 1 << 30))};
-  // Documents of 0.1 have neither.
-  if (auto const program = context.find("program")) results.context.program = program->string();
-  if (auto const added = context.find("added")) {
-    for (Node const& id : added->elements()) results.context.added.push_back(id.string());
-  }
+  results.context = read_context(node.at("context"));
   results.study = node.at("study").json().dump();
+  if (auto const part = node.find("part")) {
+    results.part.emplace();
+    for (Node const& run : part->at("runs").elements()) results.part->push_back(count(run));
+  }
+  if (auto const shares = node.find("shares")) {
+    for (Node const& share : shares->elements())
+      results.shares.push_back({read_context(share.at("context")), count(share.at("runs"))});
+  }
   for (Node const& run : node.at("runs").elements()) results.runs.push_back(read_run(run));
   for (Node const& series : node.at("series").elements()) {
     results.series.push_back(read_series(series));
@@ -305,6 +323,13 @@ Results read_results(std::string const& path) {
   if (auto const envelopes = node.find("envelopes")) {
     for (Node const& envelope : envelopes->elements()) results.envelopes.push_back(read_envelope(envelope));
   }
+  return results;
+}
+
+Results read_whole_results(std::string const& path) {
+  Results results = read_results(path);
+  if (results.part)
+    throw UserError(path, "part", "a part of a study, which has no orders", "a whole one: `sphverify merge` puts parts together");
   return results;
 }
 

@@ -95,6 +95,7 @@ Json to_json(Cost const& c) {
   json["repeats"] = c.repeats;
   json["batch"] = c.batch;
   json["warm_up"] = c.warm_up;
+  if (!c.machine.empty()) json["machine"] = c.machine;
   json["occasion"] = c.occasion.empty() ? Json(nullptr) : Json(c.occasion);
   json["round_seconds"] = numbers(c.round_seconds);
   auto const counted = [&](std::uint64_t n) { return c.is_counted() ? Json(n) : Json(nullptr); };
@@ -215,6 +216,7 @@ Json to_json(Series const& s) {
   if (json["discretisation"]["layout"].is_object()) json["discretisation"]["layout"].erase("seed");
   json["smoothing_exponent"] = s.smoothing_exponent;
   json["discontinuous"] = s.discontinuous;
+  if (s.is_timed_apart) json["is_timed_apart"] = true;
   json["runs"] = s.runs;
   json["orders"] = Json::array();
   for (OrderEntry const& entry : s.orders) json["orders"].push_back(to_json(entry));
@@ -281,9 +283,11 @@ Json to_json(ObservedOrder const& o) {
 }
 
 Json to_json(Context const& c) {
-  return {{"version", c.version},     {"commit", c.commit}, {"compiler", c.compiler}, {"flags", c.flags},
-          {"processor", c.processor}, {"cores", c.cores},   {"date", c.date},
-          {"program", c.program},     {"added", c.added}};
+  Json json = {{"version", c.version},     {"commit", c.commit}, {"compiler", c.compiler}, {"flags", c.flags},
+               {"processor", c.processor}, {"cores", c.cores},   {"date", c.date},
+               {"program", c.program},     {"added", c.added}};
+  if (!c.machine.empty()) json["machine"] = c.machine;
+  return json;
 }
 
 Json parameters_json(std::map<std::string, ParameterValue> const& parameters) {
@@ -378,6 +382,12 @@ Json to_json(Results const& results) {
   Json json = {{"schema", "sphverify-results/1"},
                {"context", to_json(results.context)},
                {"study", Json::parse(results.study)}};
+  if (results.part) json["part"] = {{"runs", *results.part}};
+  if (!results.shares.empty()) {
+    json["shares"] = Json::array();
+    for (Share const& share : results.shares)
+      json["shares"].push_back({{"context", to_json(share.context)}, {"runs", share.runs}});
+  }
   json["runs"] = Json::array();
   for (RunRecord const& run : results.runs) json["runs"].push_back(to_json(run));
   json["series"] = Json::array();

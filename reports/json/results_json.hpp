@@ -29,10 +29,15 @@ Discretisation read_discretisation(Node const& node);
 RunRecord read_run(Node const& node);
 Cost read_cost(Node const& node);
 Results read_results(std::string const& path);
+/// The same of what has orders and tables: throws UserError for a part of a study.
+Results read_whole_results(std::string const& path);
 
 /// Writes a document so that the file is either the old one or the whole new one; `-` is standard output.
 /// Throws UserError when the place cannot be written.
 void write_document(std::string const& path, std::string const& text);
+
+/// Removes what a process that was killed left of writing it. Nobody else may be writing it.
+void remove_unfinished(std::string const& path);
 
 /// Throws UserError unless a file can be created where the path says, and it is not the input.
 void require_writable(std::string const& path, std::string const& input = "");

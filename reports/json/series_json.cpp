@@ -51,6 +51,7 @@ Series read_series(Node const& node) {
   s.discretisation = read_discretisation(node.at("discretisation"));
   s.smoothing_exponent = node.at("smoothing_exponent").number();
   s.discontinuous = node.at("discontinuous").boolean();
+  if (auto const apart = node.find("is_timed_apart")) s.is_timed_apart = apart->boolean();
   for (Node const& run : node.at("runs").elements()) s.runs.push_back(count(run));
   for (Node const& entry : node.at("orders").elements()) {
     OrderEntry e{entry.at("field").string(),   entry.at("region").string(), entry.at("norm").string(),

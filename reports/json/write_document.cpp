@@ -15,8 +15,10 @@ namespace sphverify {
 
 namespace {
 
+constexpr char const* temporary_mark = ".tmp";
+
 /// Beside the target, so that the rename stays within one file system.
-std::string temporary_path(std::string const& path) { return path + ".tmp" + std::to_string(getpid()); }
+std::string temporary_path(std::string const& path) { return path + temporary_mark + std::to_string(getpid()); }
 
 [[noreturn]] void cannot_write(std::string const& path) {
   throw UserError(path, "", std::string("a place that cannot be written (") + std::strerror(errno) + ")",
@@ -92,6 +94,19 @@ void require_writable(std::string const& path, std::string const& input) {
   if (file < 0) cannot_write(path);
   close(file);
   unlink(probe.c_str());
+}
+
+void remove_unfinished(std::string const& path) {
+  std::filesystem::path const target(path);
+  std::string const prefix = target.filename().string() + temporary_mark;
+  std::error_code none;
+  auto const folder = target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+  for (auto const& entry : std::filesystem::directory_iterator(folder, none)) {
+    std::string const name = entry.path().filename().string();
+    bool const is_left = name.size() > prefix.size() && name.starts_with(prefix) &&
+                         name.find_first_not_of("0123456789", prefix.size()) == std::string::npos;
+    if (is_left) std::filesystem::remove(entry.path(), none);
+  }
 }
 
 void write_document(std::string const& path, std::string const& text) {

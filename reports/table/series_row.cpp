@@ -171,7 +171,7 @@ void read_runs(Series const& series, std::vector<RunRecord> const& runs, SeriesR
       continue;
     }
     if (run.integration && !run.integration->time_error_share) row.time_error_is_unknown = true;
-    if (run.cost) timed.push_back(&*run.cost);
+    if (run.cost && !series.is_timed_apart) timed.push_back(&*run.cost);
     read_motion(run, row);
     for (WallFlux const& wall : run.wall_flux) {
       if (!(wall.scale <= 0.0)) raise(row.wall_flux_error, std::abs(wall.error) / wall.scale);
@@ -251,6 +251,7 @@ SeriesRow series_row(NamedResults const& document, Series const& series, std::st
   SeriesRow row;
   static_cast<Setting&>(row) = setting_of(document.name, series);
   row.case_id = series.case_id;
+  row.is_timed_apart = series.is_timed_apart;
   row.parameters = parameters_text(series.parameters);
   row.formulation = series.label;
   for (std::size_t const index : series.runs) {

@@ -43,6 +43,7 @@ struct SeriesRow : Setting {
                               ///< the domain
   Number energy_drift;        ///< largest at the finest level, relative to the energy
   Number wall_budget_defect;  ///< the same
+  bool is_timed_apart = false;  ///< on several machines: it has no times
   Number seconds;             ///< mean at the finest level
   MedianSeconds median{};     ///< means of the medians and of the ends of their intervals there
   Number busy;                ///< lowest of the series: processor time over wall time

@@ -1,6 +1,7 @@
 #include "reports/table/time_ratio.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,16 +81,25 @@ TimeTable::Entry TimeTable::entry(SeriesRow const& row) const {
 std::string disturbance(std::vector<SeriesRow> const& rows) {
   double lowest = least_busy;
   std::size_t disturbed = 0;
+  std::size_t apart = 0;
   for (SeriesRow const& row : rows) {
+    if (row.is_timed_apart) ++apart;
     if (!row.busy || *row.busy >= least_busy) continue;
     ++disturbed;
     lowest = std::min(lowest, *row.busy);
   }
-  if (disturbed == 0) return "";
-  return fmt::format(
-      "Disturbed timings: {} of {} ladders have a run that its processor worked on for less than {:g}% "
-      "of the time (at worst {:.0f}%): the machine had other work, or swapped.",
-      disturbed, rows.size(), 100.0 * least_busy, 100.0 * lowest);
+  std::vector<std::string> sentences;
+  if (disturbed > 0)
+    sentences.push_back(fmt::format(
+        "Disturbed timings: {} of {} ladders have a run that its processor worked on for less than {:g}% "
+        "of the time (at worst {:.0f}%): the machine had other work, or swapped.",
+        disturbed, rows.size(), 100.0 * least_busy, 100.0 * lowest));
+  if (apart > 0)
+    sentences.push_back(fmt::format(
+        "Times left out: {} of {} ladders belong to cases whose runs were timed on several machines, and times of two "
+        "machines are not compared.",
+        apart, rows.size()));
+  return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 }  // namespace sphverify

@@ -49,7 +49,8 @@ class TimeTable {
   std::vector<Fastest> fastest_;  ///< of every document in which one got there
 };
 
-/// A sentence if the processor did not work all the time on runs that were timed; else empty.
+/// What a reader of run times should know: that the processor did not work all the time on runs that were timed, or
+/// that they were timed on several machines. A sentence each; empty where there is nothing to say.
 std::string disturbance(std::vector<SeriesRow> const& rows);
 
 }  // namespace sphverify

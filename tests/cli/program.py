@@ -16,6 +16,8 @@ SCHEMA_DIR = SOURCE_DIR / "reports" / "schema"
 
 DONE, GATE_FAILED, USER_ERROR, PROGRAM_ERROR = 0, 1, 2, 3
 
+TIMES = ("seconds", "median_seconds", "low_seconds", "high_seconds")
+
 SECONDS_FOR_AN_ANSWER = 10  # what no refusal of bad input may take, even on a busy machine
 
 
@@ -66,6 +68,30 @@ def small_study(**changes):
     }
     study.update(changes)
     return {key: value for key, value in study.items() if value is not None}
+
+
+def timeless(results):
+    """Results without what differs from one execution to the next: context and times."""
+    results = copy.deepcopy(results)
+    del results["context"]
+    results.pop("shares", None)
+    for run in results["runs"]:
+        if run["cost"]:
+            for key in ("cpu_seconds", "setup_seconds", "busy", "batch", "machine", "occasion", "round_seconds", *TIMES):
+                del run["cost"][key]
+    for series in results["series"]:
+        for order in series["orders"]:
+            for level in order["levels"]:
+                for key in TIMES:
+                    del level[key]
+        for target in series["time_to_error"]:
+            for key in TIMES:
+                target[key] = target[key] is not None
+    for surface in results.get("surfaces", []):
+        for cell in surface["cells"]:
+            del cell["seconds"]
+        surface["paths"] = [path for path in surface["paths"] if path["unit"] != "seconds"]
+    return results
 
 
 def mutated(document, path, value):

@@ -340,7 +340,7 @@ def wall_flux_batches(results):
 # How runs ended.
 
 STATUSES = {"ok": True, "failed": False, "unstable": True, "non-finite": True, "positivity-lost": True, "timed-out": False,
-            "invalid": False}  # fmt: skip
+            "invalid": False, "crashed": False}  # fmt: skip
 
 
 def status_batches(results):

@@ -4,14 +4,13 @@ import sys
 
 sys.dont_write_bytecode = True
 
-import copy
 import json
 import pathlib
 import signal
 import time
 import unittest
 
-from program import DONE, PROGRAM_ERROR, ProgramTest, complaints, small_study, strict_json
+from program import DONE, PROGRAM_ERROR, ProgramTest, complaints, small_study, strict_json, timeless
 
 # A second of work in runs of about ten milliseconds, replicates and failing runs among them.
 LONG_STUDY = small_study(
@@ -28,26 +27,6 @@ LONG_STUDY = small_study(
 )
 RUNS = 2 * 2 * 2 * 2 * 3 * 2
 SECONDS_TO_STOP = 5
-TIMES = ("seconds", "median_seconds", "low_seconds", "high_seconds")
-
-
-def timeless(results):
-    """Results without what differs from one execution to the next: context and times."""
-    results = copy.deepcopy(results)
-    del results["context"]
-    for run in results["runs"]:
-        if run["cost"]:
-            for key in ("cpu_seconds", "setup_seconds", "busy", "occasion", "round_seconds", *TIMES):
-                del run["cost"][key]
-    for series in results["series"]:
-        for order in series["orders"]:
-            for level in order["levels"]:
-                for key in TIMES:
-                    del level[key]
-        for target in series["time_to_error"]:
-            for key in TIMES:
-                target[key] = target[key] is not None
-    return results
 
 
 def whole_lines(text):

@@ -5,5 +5,5 @@
 #SBATCH --cpus-per-task=1
 #SBATCH --requeue
 #SBATCH --signal=B:TERM@60
-part=$SLURM_ARRAY_TASK_ID/$SLURM_ARRAY_TASK_COUNT
-exec sphverify study "$1" --part "$part" -o "$2/part-$SLURM_ARRAY_TASK_ID.json" --resume
+parts=4  # as many as there are tasks: one of them may be submitted again by itself, --array=2
+exec sphverify study "$1" --part "$SLURM_ARRAY_TASK_ID/$parts" -o "$2/part-$SLURM_ARRAY_TASK_ID.json" --resume

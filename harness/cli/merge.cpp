@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <utility>
 
 #include "harness/cli/commands.hpp"
 #include "harness/study/merge.hpp"
@@ -27,7 +28,7 @@ void merge(MergeCommand const& command) {
       throw UserError("merge", "PART.json", file + " twice", "every part once");
     parts.push_back({file, read_results(file)});
   }
-  Merged const merged = merge_parts(parts);
+  Merged const merged = merge_parts(std::move(parts));
   if (merged.missing.empty()) {
     write_document(command.output, document_text(to_json(merged.results)));
     say_how_it_went(merged.results.runs);

@@ -23,7 +23,7 @@ constexpr std::size_t most_named = 5;
 /// A part's run of the study, or the runs of one of its envelopes.
 struct Unit {
   std::string const* file;
-  std::vector<RunRecord const*> runs;
+  std::vector<RunRecord*> runs;
   Envelope const* envelope = nullptr;
 };
 
@@ -54,8 +54,8 @@ void require_same_study(NamedPart const& part, NamedPart const& first) {
 }
 
 /// The units of a part, by their number in the study.
-std::map<std::size_t, Unit> units_of(NamedPart const& part, Study const& study, std::vector<RunSpec> const& specs) {
-  Results const& results = part.results;
+std::map<std::size_t, Unit> units_of(NamedPart& part, Study const& study, std::vector<RunSpec> const& specs) {
+  Results& results = part.results;
   std::vector<std::size_t> const& numbers = *results.part;
   std::size_t next = 0;
   std::map<std::size_t, Unit> units;
@@ -95,7 +95,7 @@ Context common_context(std::vector<NamedPart> const& parts) {
 
 }  // namespace
 
-Merged merge_parts(std::vector<NamedPart> const& parts) {
+Merged merge_parts(std::vector<NamedPart> parts) {
   for (NamedPart const& part : parts) {
     if (!part.results.part)
       throw UserError(part.file, "part", "nothing: this is a whole study", "a part, of `study --part K/M` or of `merge --missing`");
@@ -108,7 +108,7 @@ Merged merge_parts(std::vector<NamedPart> const& parts) {
   Expansion const expansion = expand(study);
   std::map<std::size_t, Unit> units;
   Merged merged;
-  for (NamedPart const& part : parts) {
+  for (NamedPart& part : parts) {
     for (auto& [number, unit] : units_of(part, study, expansion.runs)) {
       auto const [known, is_new] = units.emplace(number, std::move(unit));
       if (!is_new)
@@ -134,7 +134,7 @@ Merged merge_parts(std::vector<NamedPart> const& parts) {
   results.study = first.results.study;
   results.skipped = expansion.skipped;
   for (auto const& [number, unit] : units) {
-    for (RunRecord const* run : unit.runs) results.runs.push_back(*run);
+    for (RunRecord* run : unit.runs) results.runs.push_back(std::move(*run));
     if (unit.envelope) results.envelopes.push_back(*unit.envelope);
   }
   if (!study.envelope) {

@@ -24,6 +24,6 @@ struct Merged {
 
 /// Puts parts of one study together, as one process would have written it but for times and contexts. Throws UserError
 /// unless all are parts of one study, of this build of the program, and no run is in two of them.
-Merged merge_parts(std::vector<NamedPart> const& parts);
+Merged merge_parts(std::vector<NamedPart> parts);
 
 }  // namespace sphverify

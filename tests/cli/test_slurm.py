@@ -28,7 +28,7 @@ STUDY = small_study(
     resolution=[50, 100, 150, 200],
     measure=["error", "conservation", "cost"],
 )
-SECONDS = 120  # for a job, however busy the machine
+SECONDS = 240  # for a job, however busy the machine
 
 
 def found(name):
@@ -146,8 +146,8 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP OverSubscri
         while not holds():
             if time.monotonic() > deadline:
                 logs = "".join(path.read_text(errors="replace")[-2000:] for path in cls.base.glob("*.log"))
-                raise AssertionError(f"{complaint}\n{logs}")
-            time.sleep(0.1)
+                raise AssertionError(f"{complaint}\n{cls.said('scontrol', 'show', 'job')}\n{logs}")
+            time.sleep(0.2)
 
     def submit(self, *words):
         result = subprocess.run(["sbatch", "--parsable", "-D", self.folder, *map(str, words)], capture_output=True, text=True,
@@ -156,7 +156,12 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP OverSubscri
         return result.stdout.strip()
 
     def wait_for(self, job):
-        self.wait_until(lambda: not self.said("squeue", "-h", "-j", job).strip(), f"job {job} does not end")
+        self.wait_until(lambda: self.has_ended(job), f"job {job} does not end")
+
+    def has_ended(self, job):
+        """A controller that is too busy to answer says nothing of it."""
+        asked = subprocess.run(["squeue", "-h", "-j", job], capture_output=True, text=True, env=self.variables(), timeout=60)
+        return not asked.stdout.strip() and (asked.returncode == 0 or "Invalid job id" in asked.stderr)
 
     def logs(self):
         return "\n".join(path.read_text(errors="replace") for path in sorted(self.folder.glob("slurm-*.out")))
@@ -176,9 +181,18 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP OverSubscri
                 killed = True
             time.sleep(0.005)
         self.assertTrue(killed, "the task ended before it could be requeued\n" + self.logs())
-        # Slurm would wait two minutes before it starts again what was requeued.
-        self.wait_until(lambda: "PENDING" in self.said("squeue", "-h", "-o", "%T", "-j", f"{job}_2"), "it is not requeued")
-        subprocess.run(["scontrol", "update", f"jobid={job}_2", "StartTime=now"], env=self.variables(), check=True, timeout=60)
+        # Slurm waits two minutes before it starts again what was requeued; it is asked not to, which it does not always heed.
+        asked = [0.0]
+
+        def is_complete():
+            if time.monotonic() > asked[0] + 5:
+                words = self.said("scontrol", "--oneliner", "show", "job", f"{job}_2").split()
+                number = next((word.removeprefix("JobId=") for word in words if word.startswith("JobId=")), "")
+                subprocess.run(["scontrol", "update", f"JobId={number}", "StartTime=now"], env=self.variables(), capture_output=True, timeout=60)
+                asked[0] = time.monotonic()
+            return len(list(parts.glob("part-?.json"))) == 4
+
+        self.wait_until(is_complete, "the task that was requeued does not end")
         self.wait_for(job)
         paths = sorted(parts.glob("part-?.json"))
         self.assertEqual(len(paths), 4, self.logs())

@@ -167,8 +167,9 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP OverSubscri
         return "\n".join(path.read_text(errors="replace") for path in sorted(self.folder.glob("slurm-*.out")))
 
     def test_an_array_of_parts_of_which_one_is_killed_and_requeued(self):
-        whole = self.study(STUDY)
-        document = self.write("study.json", STUDY)
+        study = STUDY | {"resolution": [100, 150, 200, 300, 400], "measure": ["error", "conservation"]}  # seconds for each part
+        whole = self.study(study)
+        document = self.write("study.json", study)
         parts = self.folder / "parts"
         parts.mkdir()
         journal = parts / "part-2.json.journal"

@@ -1,6 +1,8 @@
 #include "harness/study/journal.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <csignal>
+#include <sys/resource.h>
 #include <thread>
 
 #include "reports/json/results_json.hpp"
@@ -67,6 +69,29 @@ BOOST_AUTO_TEST_CASE(a_run_that_awaits_its_timing_is_finished_once_its_cost_is_t
   // A cost of a run that is not there is no journal of ours.
   write_text(path, text_of(path) + "{\"run\": 7, \"cost\": null}\n");
   BOOST_CHECK_THROW((Journal{path, study, true}), UserError);
+}
+
+/// A file that may grow no further stands for a full disk: it, too, takes half of a line.
+BOOST_AUTO_TEST_CASE(a_line_that_did_not_fit_is_taken_back_and_others_follow) {
+  TemporaryFolder const folder;
+  std::string const path = folder.file("j");
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  {
+    Journal journal(path, study, false);
+    journal.append(0, record("nought"));
+    rlimit const little{text_of(path).size() + 100, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &little);
+    std::string const whole = text_of(path);
+    BOOST_CHECK_THROW(journal.append(1, record("one")), std::runtime_error);
+    setrlimit(RLIMIT_FSIZE, &before);
+    BOOST_TEST(text_of(path) == whole);
+    journal.append(2, record("two"));
+  }
+  Journal const resumed(path, study, true);
+  BOOST_TEST(resumed.finished().size() == 2u);
+  BOOST_TEST(resumed.finished().at(2).label == "two");
 }
 
 BOOST_AUTO_TEST_CASE(a_resumed_journal_goes_on) {

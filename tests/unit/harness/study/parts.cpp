@@ -71,6 +71,10 @@ BOOST_AUTO_TEST_CASE(each_ladder_is_spread_over_the_parts) {
   // The finest of one and the finest of the other are in different parts.
   auto const first = runs_of_part({}, runs, {1, 2});
   BOOST_TEST((std::count(first.begin(), first.end(), 3u) + std::count(first.begin(), first.end(), 7u)) == 1);
+  // One long run of one form leaves the other's ladder spread all the same.
+  auto unequal = ladders({"conduction/brookshaw"}, {80});
+  for (RunSpec const& run : ladders({"conduction/lucy-flux"}, {20, 24, 28})) unequal.push_back(run);
+  BOOST_TEST((all_parts({}, unequal, 2) == std::vector<std::vector<std::size_t>>{{0, 1, 2}, {3}}));
 }
 
 BOOST_AUTO_TEST_CASE(runs_that_take_turns_stay_together) {

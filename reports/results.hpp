@@ -360,7 +360,7 @@ struct Series {
   double smoothing_exponent = 0.0;
   std::vector<std::size_t> runs;  ///< indices into Results::runs
   bool discontinuous = false;     ///< the exact solution jumps
-  bool is_timed_apart = false;    ///< runs of its case were timed on several machines: it has no times
+  bool is_timed_apart = false;    ///< runs of the study were timed on several machines: it has no times
   std::vector<OrderEntry> orders;
   std::vector<TimeToError> time_to_error;
 };

@@ -14,6 +14,8 @@ namespace {
 constexpr int program_failed = 3;
 constexpr std::array signals{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 
+bool signals_kill = false;
+
 thread_local char const* plugin_inside = nullptr;
 thread_local char const* library_inside = nullptr;
 
@@ -47,7 +49,7 @@ void say(char const* text) { [[maybe_unused]] auto const written = write(STDERR_
 }
 
 void on_signal(int signal) {
-  if (plugin_inside) {
+  if (plugin_inside && !signals_kill) {
     std::array<char, 64> how{};
     std::strcpy(how.data(), "crashed: ");
     std::strcat(how.data(), name_of(signal));
@@ -87,6 +89,8 @@ CrashGuard::CrashGuard(char const* plugin, char const* library) {
   plugin_inside = plugin;
   library_inside = library;
 }
+
+void let_signals_kill() { signals_kill = true; }
 
 CrashGuard::~CrashGuard() { plugin_inside = library_inside = nullptr; }
 

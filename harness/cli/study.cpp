@@ -1,6 +1,5 @@
 #include <atomic>
 #include <csignal>
-#include <cstdio>
 #include <memory>
 
 #include "harness/cli/commands.hpp"
@@ -31,9 +30,7 @@ void stop_on_signals() {
   sigaction(SIGHUP, &action, nullptr);  // the terminal has gone
 }
 
-void study(StudyCommand const& command) {
-  // Of several processes that say the same one is heard.
-  if (rank_of_process().number > 0 && std::freopen("/dev/null", "w", stderr) == nullptr) std::fclose(stderr);
+void carry_out_study(StudyCommand const& command) {
   require_writable(command.options.output, command.document);
   StudyOptions options = command.options;
   if (!command.part.empty()) options.part = read_part(command.part);
@@ -45,6 +42,19 @@ void study(StudyCommand const& command) {
   options.document = command.document;
   options.interrupted = &interrupted;
   run_study(read, options);
+}
+
+void study(StudyCommand const& command) {
+  bool const is_heard = rank_of_process().number == 0;
+  try {
+    carry_out_study(command);
+  } catch (UserError const&) {
+    if (!is_heard) fall_silent();  // rank 0 says the same
+    throw;
+  } catch (Interrupted const&) {
+    if (!is_heard) fall_silent();
+    throw;
+  }
 }
 
 }  // namespace

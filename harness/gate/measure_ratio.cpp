@@ -118,7 +118,7 @@ void measure_time_to_error(Measuring& measuring, Measured& m) {
     return;
   }
   if (m.series->is_timed_apart || other->is_timed_apart) {
-    m.problem = "runs of the case were timed on several machines, whose times are not compared";
+    m.problem = "runs of the study were timed on several machines, whose times are not compared";
     return;
   }
   TimeToError const* const own = find_entry(measuring, m.series->time_to_error, field_of(gate, m));

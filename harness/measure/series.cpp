@@ -225,7 +225,7 @@ void measure(Series& series, std::vector<RunRecord> const& runs) {
 
 std::vector<Series> build_series(std::vector<RunRecord> const& runs, int threads) {
   std::vector<Series> all;
-  TimedApart const timed_apart(runs);
+  bool const is_timed_apart = are_timed_apart(runs);
   for (std::size_t index = 0; index < runs.size(); ++index) {
     RunRecord const& run = runs[index];
     auto found = std::find_if(all.rbegin(), all.rend(), [&](Series const& s) { return same_ladder(s, run); });
@@ -237,7 +237,7 @@ std::vector<Series> build_series(std::vector<RunRecord> const& runs, int threads
       series.parameters = run.parameters;
       series.formulation = run.formulation;
       series.discretisation = run.discretisation;
-      series.is_timed_apart = timed_apart.contains(run.case_id, run.parameters);
+      series.is_timed_apart = is_timed_apart;
       series.smoothing_exponent = run.smoothing_exponent;
       all.push_back(std::move(series));
       found = all.rbegin();

@@ -129,7 +129,7 @@ void add_surfaces(Grid const& grid, bool is_timed_apart, std::vector<Surface>& a
 }  // namespace
 
 std::vector<Surface> build_surfaces(std::vector<RunRecord> const& runs) {
-  TimedApart const timed_apart(runs);
+  bool const is_timed_apart = are_timed_apart(runs);
   std::vector<Grid> grids;
   for (RunRecord const& run : runs) {
     if (run.smoothing_exponent != 0.0) continue;
@@ -143,8 +143,7 @@ std::vector<Surface> build_surfaces(std::vector<RunRecord> const& runs) {
   }
   std::vector<Surface> surfaces;
   for (Grid const& grid : grids) {
-    if (grid.is_large_enough())
-      add_surfaces(grid, timed_apart.contains(grid.first->case_id, grid.first->parameters), surfaces);
+    if (grid.is_large_enough()) add_surfaces(grid, is_timed_apart, surfaces);
   }
   tbb::parallel_for(std::size_t{0}, surfaces.size(),
                     [&](std::size_t k) { explain_surface(surfaces[k].error); });

@@ -128,7 +128,7 @@ class MovingRun : MovingIntegration<Dim> {
       if (!tighter) {
         // Only the check ran out of time: what it was to check stands. Leapfrog's steps are those of the limits; of a
         // tolerance that was never compared nobody knows whether it was enough.
-        if (looser && record_.status == "timed-out" && (is_leapfrog() || integration.time_error_share)) {
+        if (looser && record_.reason.starts_with("time budget") && (is_leapfrog() || integration.time_error_share)) {
           integration.remark = is_leapfrog() ? half_step_out_of_time : next_tolerance_out_of_time;
           record_.status = "ok";
           record_.reason.clear();

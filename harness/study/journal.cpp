@@ -142,6 +142,13 @@ void Journal::append(std::size_t index, RunRecord const& run) {
   write_lines(line);
 }
 
+void Journal::append(std::map<std::size_t, RunRecord> const& runs) {
+  std::string lines;
+  for (auto const& [index, run] : runs) lines += Json{{"run", index}, {"record", to_json(run)}}.dump() + "\n";
+  std::scoped_lock const lock(mutex_);
+  write_lines(lines);
+}
+
 void Journal::append(std::size_t index, MeasuredRun const& run) {
   std::string const line = Json{{"run", index},
                                 {"record", to_json(run.record)},

@@ -41,6 +41,9 @@ class Journal {
   /// several threads.
   void append(std::size_t index, RunRecord const& run);
 
+  /// The same of runs that took turns, all of them with one write.
+  void append(std::map<std::size_t, RunRecord> const& runs);
+
   /// Removes the journal: its study is complete.
   void remove();
 

@@ -24,6 +24,9 @@ class LineChannel {
   /// The next whole document that has come. What is no object is an empty one.
   std::optional<Json> next();
 
+  /// How much has come that is not a whole document.
+  std::size_t unread() const { return text_.size(); }
+
   /// Waits for a document; empty at the end.
   std::optional<Json> wait();
 

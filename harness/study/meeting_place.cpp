@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "harness/measure/machine.hpp"
 #include "harness/run/run.hpp"
 
 namespace sphverify {
@@ -53,6 +54,9 @@ void notice_death(int socket) {
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPIDLE, &idle, sizeof idle);
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPINTVL, &interval, sizeof interval);
   setsockopt(socket, IPPROTO_TCP, TCP_KEEPCNT, &probes, sizeof probes);
+  // What was sent and nobody confirms is not waited for any longer.
+  int const milliseconds = 60000;
+  setsockopt(socket, IPPROTO_TCP, TCP_USER_TIMEOUT, &milliseconds, sizeof milliseconds);
   setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
 }
 
@@ -82,6 +86,8 @@ std::optional<OpenFile> connect_to(std::string const& address, int port) {
 /// One try at every address.
 std::optional<LineChannel> try_once(Json const& place, Json const& greeting) {
   for (Json const& address : place.at("addresses")) {
+    // Every machine has one of these of its own: another's user might listen there.
+    if (address.get<std::string>().starts_with("127.") && place.value("machine", "") != machine_name()) continue;
     auto file = connect_to(address.get<std::string>(), place.at("port").get<int>());
     if (!file) continue;
     LineChannel channel(std::move(*file));
@@ -89,6 +95,7 @@ std::optional<LineChannel> try_once(Json const& place, Json const& greeting) {
     if (!channel.send(greeting) || !is_ready(channel.file(), POLLIN, answer_ms)) continue;
     auto const answer = channel.wait();
     if (answer && answer->contains("welcome")) return channel;
+    if (answer && answer->contains("refused")) throw std::runtime_error("rank 0 has another study, build or plug-in");
   }
   return std::nullopt;
 }
@@ -108,7 +115,7 @@ MeetingPlace::MeetingPlace(std::string const& results, Rank const& rank)
     fail("no port for other ranks");
   std::random_device source;
   key_ = fmt::format("{:08x}{:08x}{:08x}{:08x}", source(), source(), source(), source());
-  Json const place{{"addresses", own_addresses()}, {"port", ntohs(any.sin_port)}, {"key", key_}};
+  Json const place{{"addresses", own_addresses()}, {"port", ntohs(any.sin_port)}, {"key", key_}, {"machine", machine_name()}};
   std::string const made = path_ + ".new";
   unlink(made.c_str());
   OpenFile file(open(made.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
@@ -129,7 +136,11 @@ std::optional<LineChannel> MeetingPlace::accept() const {
 }
 
 bool MeetingPlace::is_ours(Json const& greeting) const {
-  return greeting.value("key", "") == key_ && greeting.value("job", "") == job_;
+  auto const is = [&](char const* name, std::string const& expected) {
+    auto const found = greeting.find(name);
+    return found != greeting.end() && found->is_string() && found->get<std::string>() == expected;
+  };
+  return is("key", key_) && is("job", job_);
 }
 
 std::optional<LineChannel> find_rank_0(std::string const& results, Rank const& rank, Json greeting,

@@ -34,7 +34,7 @@ class MeetingPlace {
 
 /// Finds rank 0 and greets it, again and again until it answers.
 /// @param greeting goes along with the key
-/// Empty if rank 0 is not found in a minute; throws Interrupted when asked to stop.
+/// Empty if rank 0 is not found in a minute; throws Interrupted when asked to stop, std::runtime_error if it is refused.
 std::optional<LineChannel> find_rank_0(std::string const& results, Rank const& rank, Json greeting, std::atomic<bool> const* interrupted);
 
 }  // namespace sphverify

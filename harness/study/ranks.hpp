@@ -11,7 +11,11 @@ struct Rank {
   std::string job;  ///< what started them; the same for all, another for what was started again
 };
 
-/// As `mpirun` (Open MPI, or any whose processes find PMI_RANK) or `srun` say in the environment; else one of one.
+/// As `mpirun` (Open MPI, or any whose processes find PMI_RANK) or `srun` say in the environment; else, and where
+/// SPHVERIFY_RANKS is `off`, one of one.
 Rank rank_of_process();
+
+/// Nobody hears from now on what this process has to say: of several that say the same one is enough.
+void fall_silent();
 
 }  // namespace sphverify

@@ -21,6 +21,7 @@
 #include "harness/study/context.hpp"
 #include "harness/study/expand.hpp"
 #include "harness/study/expected_work.hpp"
+#include "harness/study/fingerprint.hpp"
 #include "harness/study/journal.hpp"
 #include "harness/study/memory.hpp"
 #include "harness/study/parts.hpp"
@@ -194,7 +195,8 @@ void run_study(Study study, StudyOptions const& options) {
   if (!study.envelope && journal) {
     for (std::size_t k = 0; k < units; ++k) journal->require_same(k, expansion.runs[k]);
   }
-  SharedStudy const shared{study, expansion.runs, run_options, options.output, std::max(1, options.jobs)};
+  SharedStudy const shared{study, expansion.runs, run_options, options.output,
+                           rank.of > 1 ? fingerprint(study.plugins) + document.dump() : "", std::max(1, options.jobs)};
   if (rank.number > 0) {
     if (units > 0) work_for_rank_0(shared, rank);
     return;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,9 +18,11 @@
 #include <list>
 #include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "harness/measure/machine.hpp"
 #include "harness/study/meeting_place.hpp"
+#include "harness/study/same_run.hpp"
 #include "harness/study/worker.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -29,18 +32,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr int most_tries = 2;
+constexpr int most_early_deaths = 5;
+constexpr std::size_t longest_greeting = 1 << 20;
 constexpr std::chrono::seconds wait_for_late_ranks{10};
+constexpr std::chrono::seconds wait_for_greeting{10};
 
 /// A worker, as rank 0 sees it.
 struct Worker {
   LineChannel channel;
   pid_t pid = -1;  ///< of one of rank 0's own; -1: of another rank
   bool is_greeted = false;
+  Clock::time_point since = Clock::now();
   int rank = 0;
   std::string machine{};
   int cores = 1;
   std::optional<StudyUnit> unit{};       ///< what it carries out
   std::optional<std::size_t> started{};  ///< the run that it is at, by place
+  std::map<std::size_t, RunRecord> held{};  ///< runs of a unit that are kept together or not at all
 };
 
 class Coordinator {
@@ -55,6 +63,12 @@ class Coordinator {
     }
     std::stable_sort(waiting_.begin(), waiting_.end(), [](StudyUnit const& a, StudyUnit const& b) { return a.work > b.work; });
     ranks_.insert(0);
+    // Each worker is an open file.
+    rlimit files{};
+    if (getrlimit(RLIMIT_NOFILE, &files) == 0) {
+      files.rlim_cur = files.rlim_max;
+      setrlimit(RLIMIT_NOFILE, &files);
+    }
   }
 
   std::map<std::size_t, RunRecord> run() {
@@ -69,7 +83,7 @@ class Coordinator {
       look_around();
     }
     end_all();
-    if (is_late())
+    if (ranks_.size() < static_cast<std::size_t>(rank_.of))
       fmt::print(stderr, "of {} ranks {} took part: the others did not find {}.ranks in time, or ended\n", rank_.of, ranks_.size(),
                  shared_.results);
     return std::move(finished_);
@@ -79,7 +93,7 @@ class Coordinator {
   bool is_open() const {
     return !waiting_.empty() || std::any_of(workers_.begin(), workers_.end(), [](Worker const& w) { return w.unit.has_value(); });
   }
-  bool is_late() const { return ranks_.size() < static_cast<std::size_t>(rank_.of); }
+  bool is_late() const { return greetings_ < (rank_.of - 1) * shared_.workers; }
 
   void require_not_interrupted() {
     if (!shared_.options.interrupted || !*shared_.options.interrupted) return;
@@ -102,7 +116,8 @@ class Coordinator {
       if (getppid() != parent) _exit(1);
       // Nothing but its own end: what it held of the journal and of others would stay open after rank 0.
       constexpr int kept = 3;
-      if (dup2(theirs, kept) != kept || close_range(kept + 1, ~0U, 0) != 0) _exit(1);
+      if (dup2(theirs, kept) != kept) _exit(1);
+      closefrom(kept + 1);
       LineChannel channel{OpenFile(kept)};
       try {
         work(channel, shared_);
@@ -119,19 +134,17 @@ class Coordinator {
   void look_around() {
     std::vector<pollfd> waits{{meeting_place_.file(), POLLIN, 0}};
     for (Worker const& worker : workers_) waits.push_back({worker.channel.file(), POLLIN, 0});
-    if (poll(waits.data(), waits.size(), 1000) <= 0) return;
+    if (poll(waits.data(), waits.size(), 1000) < 0) return;
     auto worker = workers_.begin();
-    std::size_t lost_own = 0;
     for (std::size_t n = 1; n < waits.size(); ++n) {
       auto const here = worker++;
-      if (waits[n].revents == 0 || hear(*here)) continue;
-      if (here->pid > 0) {
-        waitpid(here->pid, nullptr, 0);
-        ++lost_own;
-      }
+      bool const is_silent = !here->is_greeted && Clock::now() - here->since > wait_for_greeting;
+      if (!is_silent && (waits[n].revents == 0 || hear(*here))) continue;
+      if (here->pid > 0) waitpid(here->pid, nullptr, 0);
       workers_.erase(here);
     }
-    while (lost_own-- > 0 && !waiting_.empty()) start_own();
+    while (!waiting_.empty() && std::count_if(workers_.begin(), workers_.end(), [](Worker const& w) { return w.pid > 0; }) < shared_.workers)
+      start_own();
     if (waits[0].revents & POLLIN) {
       if (auto channel = meeting_place_.accept()) workers_.push_back({.channel = std::move(*channel)});
     }
@@ -141,10 +154,10 @@ class Coordinator {
   /// Everything that a worker says. False: it is gone, or is none of ours.
   bool hear(Worker& worker) {
     bool const is_there = worker.channel.receive();
+    if (!worker.is_greeted && worker.channel.unread() > longest_greeting) return false;
     while (auto const line = worker.channel.next()) {
       if (!worker.is_greeted) {
-        if (!meeting_place_.is_ours(*line)) return false;
-        greet(worker, *line);
+        if (!meeting_place_.is_ours(*line) || !greet(worker, *line)) return false;
       } else if (line->contains("leaving")) {
         give_back(worker);
         return false;
@@ -153,17 +166,31 @@ class Coordinator {
       }
     }
     if (is_there) return true;
-    if (worker.unit) crashed(worker, worker.pid > 0 ? "the process that worked for rank 0 was lost" : "the rank that ran it was lost");
+    if (worker.unit && worker.started) {
+      crashed(worker, worker.pid > 0 ? "the process that worked for rank 0 was lost" : "the rank that ran it was lost");
+    } else if (worker.unit) {
+      // It had not begun: no run is to blame.
+      give_back(worker);
+      if (worker.pid > 0 && ++early_deaths_ > most_early_deaths)
+        throw std::runtime_error("workers of rank 0 end before they begin a run");
+    }
     return false;
   }
 
-  void greet(Worker& worker, Json const& greeting) {
-    worker.is_greeted = true;
+  /// Who knows the key is one of ours, but may have been made otherwise.
+  bool greet(Worker& worker, Json const& greeting) {
     worker.rank = greeting.value("rank", 0);
+    if (greeting.value("identity", "") != shared_.identity) {
+      worker.channel.send({{"refused", true}});
+      return false;
+    }
+    worker.is_greeted = true;
     worker.machine = greeting.value("machine", "");
     worker.cores = std::max(1, greeting.value("cores", 1));
     ranks_.insert(worker.rank);
+    ++greetings_;
     worker.channel.send({{"welcome", true}});
+    return true;
   }
 
   void note(Worker& worker, Json const& line) {
@@ -172,8 +199,12 @@ class Coordinator {
       worker.started = line.at("started").get<std::size_t>();
       if (!shared_.study.envelope) progress_.started(*worker.started);
     } else if (line.contains("run")) {
-      finish(line.at("run").get<std::size_t>(), read_run(Node(line.at("record"), "a run of another rank")));
+      take(worker, line.at("run").get<std::size_t>(), read_run(Node(line.at("record"), "a run of another rank")));
     } else if (line.contains("done")) {
+      if (!worker.held.empty()) {
+        journal_.append(worker.held);
+        for (auto& [place, record] : std::exchange(worker.held, {})) put(place, std::move(record));
+      }
       done(*worker.unit);
       worker.unit.reset();
       worker.started.reset();
@@ -182,8 +213,23 @@ class Coordinator {
     }
   }
 
+  /// Runs that were timed in turn are finished together or not at all.
+  void take(Worker& worker, std::size_t place, RunRecord record) {
+    if (!shared_.study.envelope && !is_of(record, shared_.specs.at(place)))
+      throw std::runtime_error(fmt::format("rank {} told of another run than it was given", worker.rank));
+    if (!shared_.study.envelope && worker.unit->runs.size() > 1) {
+      worker.held[place] = std::move(record);
+    } else {
+      finish(place, std::move(record));
+    }
+  }
+
   void finish(std::size_t place, RunRecord record) {
     journal_.append(place, record);
+    put(place, std::move(record));
+  }
+
+  void put(std::size_t place, RunRecord record) {
     if (!shared_.study.envelope) progress_.finished(place, record.label);
     finished_[place] = std::move(record);
   }
@@ -196,9 +242,10 @@ class Coordinator {
   /// What a unit is left with when the process or the rank that was at it is gone.
   void crashed(Worker& worker, std::string const& why) {
     StudyUnit unit = std::move(*worker.unit);
-    std::size_t const place = worker.started.value_or(journal_place(shared_.study, unit.runs.front()));
+    std::size_t const place = worker.started ? *worker.started : first_open(unit);
     worker.unit.reset();
     worker.started.reset();
+    worker.held.clear();
     if (++tries_[place] >= most_tries) {
       RunRecord record = begun_record(next_of(unit, place));
       record.status = "crashed";
@@ -207,6 +254,14 @@ class Coordinator {
     }
     if (!shared_.study.envelope) std::erase_if(unit.runs, [&](std::size_t k) { return finished_.contains(k); });
     if (!unit.runs.empty()) waiting_.push_front(std::move(unit));
+  }
+
+  /// The place of the first run of a unit that is not there yet.
+  std::size_t first_open(StudyUnit const& unit) const {
+    if (!shared_.study.envelope) return unit.runs.front();
+    std::size_t place = journal_place(shared_.study, unit.runs.front());
+    while (finished_.contains(place)) ++place;
+    return place;
   }
 
   /// The run that a unit is at: of a search, at the first value that was not tried; those before must be its own.
@@ -234,6 +289,7 @@ class Coordinator {
     if (!worker.unit) return;
     StudyUnit unit = std::move(*worker.unit);
     worker.unit.reset();
+    worker.held.clear();
     if (!shared_.study.envelope) std::erase_if(unit.runs, [&](std::size_t k) { return finished_.contains(k); });
     if (!unit.runs.empty()) waiting_.push_front(std::move(unit));
   }
@@ -272,7 +328,6 @@ class Coordinator {
   void end_all() {
     for (Worker& worker : workers_) {
       worker.channel.send({{"end", true}});
-      if (worker.pid > 0) kill(worker.pid, SIGTERM);
     }
     for (Worker& worker : workers_) {
       if (worker.pid > 0) waitpid(worker.pid, nullptr, 0);
@@ -288,6 +343,8 @@ class Coordinator {
   std::deque<StudyUnit> waiting_;  ///< the next first
   std::list<Worker> workers_;
   std::set<int> ranks_;  ///< that took part
+  int greetings_ = 0;    ///< of workers of other ranks
+  int early_deaths_ = 0;
   std::map<std::size_t, int> tries_;
   std::map<std::size_t, RunRecord> finished_;
 };
@@ -311,9 +368,11 @@ void work_for_rank_0(SharedStudy const& shared, Rank const& rank) {
     }
     others.push_back(pid);
   }
-  Json const greeting{{"rank", rank.number}, {"machine", machine_name()}, {"cores", own_cores()}};
+  Json const greeting{{"rank", rank.number}, {"machine", machine_name()}, {"cores", own_cores()}, {"identity", shared.identity}};
   auto channel = find_rank_0(shared.results, rank, greeting, shared.options.interrupted);
   if (channel) work(*channel, shared);
+  // Who has not found rank 0 by now never will.
+  for (pid_t const pid : others) kill(pid, SIGTERM);
   for (pid_t const pid : others) waitpid(pid, nullptr, 0);
   if (!channel) throw std::runtime_error(fmt::format("rank {} did not find rank 0 by {}.ranks", rank.number, shared.results));
 }

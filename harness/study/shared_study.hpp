@@ -18,6 +18,7 @@ struct SharedStudy {
   std::vector<RunSpec> const& specs;
   RunOptions options;
   std::string results;  ///< where its results go; beside them ranks find rank 0
+  std::string identity;  ///< of study, build and plug-ins: the same in all ranks
   int workers = 1;      ///< of each rank: how many units it carries out at a time
 };
 

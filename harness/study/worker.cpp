@@ -8,11 +8,15 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <new>
 #include <stdexcept>
+#include <thread>
 
+#include "formulations/basics/expects.hpp"
+#include "formulations/plugins/crash_guard.hpp"
 #include "harness/study/carry_out.hpp"
 #include "reports/json/results_json.hpp"
 
@@ -25,7 +29,10 @@ bool is_interrupted(SharedStudy const& shared) { return shared.options.interrupt
 /// In the process that is made for it.
 void carry_out_asked(Json const& asked, SharedStudy const& shared, LineChannel& out) {
   StudyUnit unit;
-  for (Json const& run : asked.at("unit")) unit.runs.push_back(run.get<std::size_t>());
+  for (Json const& run : asked.at("unit")) {
+    unit.runs.push_back(run.get<std::size_t>());
+    expects(unit.runs.back() < shared.specs.size());
+  }
   std::map<std::size_t, RunRecord> known;
   for (Json const& entry : asked.at("known")) known[entry.at(0).get<std::size_t>()] = read_run(Node(entry.at(1), "known"));
   RunOptions options = shared.options;
@@ -73,6 +80,7 @@ UnitProcess start(Json const& asked, SharedStudy const& shared) {
   // A run whose worker is gone works for nobody.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
+  let_signals_kill();
   LineChannel out(std::move(to));
   carry_out_asked(asked, shared, out);
   _exit(0);
@@ -107,6 +115,24 @@ bool pass_on(UnitProcess& process, LineChannel& channel, SharedStudy const& shar
   return channel.send({{"crashed", why}});
 }
 
+/// Ends a process in time for it to put away what it began: at once by a signal, unless that has reached it anyway.
+void end(UnitProcess const& process, bool has_been_told) {
+  using namespace std::chrono_literals;
+  auto const is_gone = [&](std::chrono::milliseconds patience) {
+    for (auto const start = std::chrono::steady_clock::now(); std::chrono::steady_clock::now() - start < patience;) {
+      if (waitpid(process.pid, nullptr, WNOHANG) != 0) return true;
+      std::this_thread::sleep_for(5ms);
+    }
+    return false;
+  };
+  // A second signal of one kind kills: who heard the first is given time.
+  if (has_been_told && is_gone(3000ms)) return;
+  kill(process.pid, SIGTERM);
+  if (is_gone(3000ms)) return;
+  kill(process.pid, SIGKILL);
+  waitpid(process.pid, nullptr, 0);
+}
+
 }  // namespace
 
 void work(LineChannel& channel, SharedStudy const& shared) {
@@ -115,10 +141,7 @@ void work(LineChannel& channel, SharedStudy const& shared) {
     if (!asked || !asked->contains("unit")) break;
     UnitProcess process = start(*asked, shared);
     bool const goes_on = pass_on(process, channel, shared);
-    if (process.pid > 0) {
-      kill(process.pid, SIGKILL);
-      waitpid(process.pid, nullptr, 0);
-    }
+    if (process.pid > 0) end(process, is_interrupted(shared));
     if (!goes_on) break;
   }
   if (is_interrupted(shared)) {

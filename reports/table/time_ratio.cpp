@@ -96,7 +96,7 @@ std::string disturbance(std::vector<SeriesRow> const& rows) {
         disturbed, rows.size(), 100.0 * least_busy, 100.0 * lowest));
   if (apart > 0)
     sentences.push_back(fmt::format(
-        "Times left out: {} of {} ladders belong to cases whose runs were timed on several machines, and times of two "
+        "Times left out: {} of {} ladders belong to studies whose runs were timed on several machines, and times of two "
         "machines are not compared.",
         apart, rows.size()));
   return fmt::format("{}", fmt::join(sentences, " "));

@@ -44,7 +44,7 @@ int sphverify_plugin_rates(sphverify_state const* s, sphverify_rates* r) {
   struct stat status;
   if (lives && s->count == 12 && stat(lives, &status) == 0 && status.st_size > 0) {
     truncate(lives, status.st_size - 1);
-    raise(SIGKILL);
+    raise(strcmp(getenv("BY"), "KILL") == 0 ? SIGKILL : SIGSEGV);
   }
   for (size_t i = 0; i < s->count; ++i) r->pairs[0][i] = 0.0;
   return 0;
@@ -113,19 +113,21 @@ class Ranks(ProgramTest):
         lives = self.folder / "lives"
         # None, one and two deaths: the first is forgiven.
         statuses = []
-        for deaths in (0, 1, 2, 3):
+        for deaths, by in ((0, "KILL"), (1, "KILL"), (2, "SEGV"), (3, "KILL")):
             lives.write_text("x" * deaths)
-            done = self.ranks(2, "study", study, "-o", self.results, LIVES=str(lives))
+            done = self.ranks(2, "study", study, "-o", self.results, LIVES=str(lives), BY=by)
             self.assertEqual(done.returncode, DONE, done.stderr)
             runs = strict_json(self.results.read_text())["runs"]
             self.assertEqual(len(runs), 6)
             deadly = [run for run in runs if "deadly" in run["formulation"]]
             self.assertEqual([run["status"] for run in runs if run not in deadly], ["ok"] * 3)
             statuses.append(deadly[1]["status"])
+            if statuses[-1] == "crashed":
+                self.assertIn(f"SIG{by}", deadly[1]["reason"])
+                self.assertIn("2 times", deadly[1]["reason"])
+            self.assertEqual([line for line in done.stderr.splitlines() if line.startswith("sphverify: ")], [])
             self.assertEqual({deadly[0]["status"], deadly[2]["status"]}, {"ok"})
         self.assertEqual(statuses, ["ok", "ok", "crashed", "crashed"])
-        self.assertIn("SIGKILL", deadly[1]["reason"])
-        self.assertIn("2 times", deadly[1]["reason"])
         self.assertEqual(lives.stat().st_size, 1, "no third try")
         self.assertIn("crashed: 1 of 6 runs", done.stderr)
 
@@ -203,6 +205,34 @@ class Ranks(ProgramTest):
                 self.assertEqual(timeless(strict_json(self.results.read_text())), timeless(whole))
                 self.results.unlink()
                 pathlib.Path(f"{self.results}.ranks").unlink(missing_ok=True)
+
+    def test_who_speaks_another_language_ends_nothing(self):
+        study = self.long_study()
+        whole = self.study(study, "whole.json")
+        process = self.start_ranks("study", self.document, "-o", self.results)
+        self.wait_for_runs(process, 1)
+        place = json.loads(pathlib.Path(f"{self.results}.ranks").read_text())
+        for words in (b'{"key":5}\n', b'[]\n', b'\xff\n', b'{"key":"' + b"x" * 2000000, b'{"key":"no","job":"no"}\n', b""):
+            with socket.create_connection(("127.0.0.1", place["port"])) as stranger:
+                try:
+                    stranger.sendall(words)
+                except OSError:
+                    pass  # it was shown the door
+        error = process.communicate(timeout=120)[1]
+        self.assertEqual(process.returncode, DONE, error)
+        self.assert_complete(whole)
+
+    def test_ranks_can_be_told_that_they_are_none(self):
+        done = self.ranks(1, "study", self.document, "-o", self.results, SPHVERIFY_RANKS="off")
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        script = 'exec "$0" study study.json --part $((OMPI_COMM_WORLD_RANK+1))/2 -o part-$OMPI_COMM_WORLD_RANK.json'
+        words = self.command(2)
+        words = words[: words.index(PROGRAM)] + ["sh", "-c", script, PROGRAM]
+        done = subprocess.run(words, capture_output=True, text=True, cwd=self.folder, timeout=120, env=environment(SPHVERIFY_RANKS="off"))
+        self.assertEqual(done.returncode, DONE, done.stderr)
+        self.succeed("merge", "part-0.json", "part-1.json", "-o", "merged.json")
+        merged = strict_json((self.folder / "merged.json").read_text())
+        self.assertEqual(timeless(merged), timeless(strict_json(self.results.read_text())))
 
     def test_a_meeting_place_that_somebody_left_misleads_nobody(self):
         stranger = socket.create_server(("127.0.0.1", 0))

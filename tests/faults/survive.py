@@ -94,6 +94,8 @@ class Faults:
             if process.wait() == 0:
                 self.check_results()
                 studies += 1
+            elif process.returncode != -signal.SIGKILL:
+                raise Failure(f"exit {process.returncode} of a study that nobody had killed")
         self.finish()
         return f"{killed} kills of {studies + 1} studies"
 
@@ -115,6 +117,11 @@ class Faults:
                         killed += 1
                     except ProcessLookupError:
                         pass
+            patience = time.monotonic() + 15
+            while left := self.processes():
+                if time.monotonic() > patience:
+                    raise Failure(f"processes are left: {left}")
+                time.sleep(0.05)
             if self.results.exists():
                 document = self.numbers()
                 lost = [run for run in document["runs"] if run["status"] == "crashed"]
@@ -124,7 +131,7 @@ class Faults:
                     studies += 1
                     continue
                 # Twice killed is crashed, as it is said to be: all others must be right.
-                for mine, whole in zip(document["runs"], self.undisturbed["runs"]):
+                for mine, whole in zip(document["runs"], self.undisturbed["runs"], strict=True):
                     if mine["status"] != "crashed" and mine != whole:
                         raise Failure("a run beside a crashed one is another")
                 self.results.unlink()

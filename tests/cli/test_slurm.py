@@ -56,8 +56,12 @@ class Cluster(ProgramTest):
         cls.base.mkdir(mode=0o755)
         cls.servers = []
         cls.addClassCleanup(cls.stop_all)
-        cls.start_munge()
-        cls.start_slurm()
+        try:
+            cls.start_munge()
+            cls.start_slurm()
+        except AssertionError as failure:
+            # A container may forbid what these servers need; what fails after they are up is ours.
+            raise unittest.SkipTest(f"the cluster does not start here: {failure}") from failure
 
     @classmethod
     def stop_all(cls):
@@ -92,7 +96,7 @@ class Cluster(ProgramTest):
         cls.socket = folder / "socket"
         cls.serve("munged", "--foreground", "--force", "--num-threads=2", f"--key-file={key}", f"--socket={cls.socket}",
                   f"--pid-file={folder / 'pid'}", f"--seed-file={folder / 'seed'}", f"--log-file={folder / 'log'}")  # fmt: skip
-        cls.wait_until(cls.socket.exists, "munge does not start")
+        cls.wait_until(cls.socket.exists, "munge does not start", 60)
 
     @classmethod
     def start_slurm(cls):
@@ -134,15 +138,15 @@ PartitionName=all Nodes={host} Default=YES MaxTime=INFINITE State=UP OverSubscri
 """)
         cls.serve("slurmctld", "-D", "-i")
         cls.serve("slurmd", "-D", "-N", host)
-        cls.wait_until(lambda: "idle" in cls.said("sinfo", "-h", "-o", "%T"), "no node comes up")
+        cls.wait_until(lambda: "idle" in cls.said("sinfo", "-h", "-o", "%T"), "no node comes up", 60)
 
     @classmethod
     def said(cls, *command):
         return subprocess.run([*map(str, command)], capture_output=True, text=True, env=cls.variables(), timeout=60).stdout
 
     @classmethod
-    def wait_until(cls, holds, complaint):
-        deadline = time.monotonic() + SECONDS
+    def wait_until(cls, holds, complaint, seconds=SECONDS):
+        deadline = time.monotonic() + seconds
         while not holds():
             if time.monotonic() > deadline:
                 logs = "".join(path.read_text(errors="replace")[-2000:] for path in cls.base.glob("*.log"))

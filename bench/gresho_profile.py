@@ -4,8 +4,8 @@
     sphverify study cases/studies/gresho-published-2d.json -o gresho.json
     bench/gresho_profile.py gresho.json
 
-Our norms take every particle's velocity, noise and all. Springel (2010, Mon. Not. R. Astron. Soc. 401, 791, section 8.4) and
-those after him compare the azimuthal velocity averaged over bins of the radius, from which noise is gone. Printed are the l1
+Our norms take every particle's velocity, noise and all. Others, after Springel (2010, Mon. Not. R. Astron. Soc. 401, 791), compare
+the azimuthal velocity averaged over bins of the radius, from which noise is gone. Printed are the l1
 norms of both, in units of the fastest velocity, 1: ours of the velocity, and the mean over annuli one spacing wide,
 to r = 0.5, of the mean azimuthal velocity's error. The order is the slope of a straight line through the levels.
 """

@@ -65,7 +65,10 @@ Study study_of(Results const& results, RunRecord const& run, std::string const& 
       {"repeat", whole.at("repeat")},
       {"time_budget", whole.at("time_budget")}};
   if (whole.contains("plugins")) document["plugins"] = whole.at("plugins");
-  return read_study(Node(document, file));
+  Node const node(document, file);
+  Study study = read_study(node);
+  require_memory(study, node);
+  return study;
 }
 
 void repeat(RepeatCommand const& command) {

@@ -37,6 +37,7 @@ void carry_out_study(StudyCommand const& command) {
   Json const json = read_json_file(command.document);
   Node const document(json, command.document);
   Study const read = read_study(document);
+  require_memory(read, document);
   require_effects(read, document);
   stop_on_signals();
   options.document = command.document;

@@ -1,5 +1,6 @@
 #include "harness/study/shared_study.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -116,7 +117,8 @@ class Coordinator {
       if (getppid() != parent) _exit(1);
       // Nothing but its own end: what it held of the journal and of others would stay open after rank 0.
       constexpr int kept = 3;
-      if (dup2(theirs, kept) != kept) _exit(1);
+      // A code that a run starts must not keep it open.
+      if (dup2(theirs, kept) != kept || fcntl(kept, F_SETFD, FD_CLOEXEC) != 0) _exit(1);
       closefrom(kept + 1);
       LineChannel channel{OpenFile(kept)};
       try {

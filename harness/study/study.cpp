@@ -94,47 +94,6 @@ std::vector<std::string> defaults(std::vector<StudyCase> const& cases, std::stri
   return words;
 }
 
-/// Refuses what cannot fit into memory before hours are spent on the runs before it.
-void require_memory(Study const& study, Node const& document) {
-  double const memory = available_memory();
-  int const finest = study.resolutions.back();
-  double const refinement = static_cast<double>(finest) / study.resolutions.front();
-  double ratio = 0.0;
-  std::vector<double> nominals = study.smoothing_ratios;
-  if (study.envelope && study.envelope->parameter == "smoothing_ratio")
-    nominals = {study.envelope->from, study.envelope->to};
-  for (double const nominal : nominals) {
-    for (double const exponent : study.smoothing_exponents) {
-      ratio = std::max(ratio, nominal * std::pow(refinement, exponent));
-    }
-  }
-  double support = 0.0;
-  for (std::string const& id : study.kernels)
-    support = std::max(support, kernel(id, 1).support_ratio() * ratio);
-  for (StudyCase const& one : study.cases) {
-    AnyProblem const problem = one.scene_case->problem(one.parameters);
-    // What takes least of those that are asked for: the others may be skipped.
-    auto const asks = [&](char const* word) {
-      return std::find(study.integrators.begin(), study.integrators.end(), word) != study.integrators.end();
-    };
-    bool const leapfrog = asks("leapfrog") || (asks("auto") && one.scene_case->info.discontinuous);
-    char const* const integrator = leapfrog ? "leapfrog" : "runge-kutta";
-    for (LayoutChoice const& layout : study.layouts) {
-      if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
-      double weights = std::numeric_limits<double>::infinity();
-      for (FormulationChoice const& formulation : study.formulations)
-        weights = std::min(weights, bytes_of_weights(formulation, problem, layout, finest, support));
-      double const bytes = estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, support) + weights;
-      if (bytes <= memory) continue;
-      throw UserError(
-          document.file(), "resolution",
-          fmt::format("{}, which on {} is {:.3g} particles and takes about {:.3g} GB", finest,
-                      one.scene_case->info.id, estimated_particles(problem, layout, finest), 1e-9 * bytes),
-          fmt::format("what fits into the {:.3g} GB that this process may have", 1e-9 * memory));
-    }
-  }
-}
-
 std::optional<ViscosityChoice> read_viscosity(Node const& node) {
   if (node.is_string()) {
     std::string const word = node.word({"auto", "off", "riemann"});
@@ -319,8 +278,47 @@ Study read_study(Node const& document) {
   if (auto const node = document.find("time_budget")) study.time_budget = node->positive_number();
   if (auto const node = document.find("envelope")) study.envelope = read_envelope(*node, study);
   if (auto const node = document.find("runs")) study.runs = read_chosen_runs(*node);
-  require_memory(study, document);
   return study;
+}
+
+void require_memory(Study const& study, Node const& document) {
+  double const memory = available_memory();
+  int const finest = study.resolutions.back();
+  double const refinement = static_cast<double>(finest) / study.resolutions.front();
+  double ratio = 0.0;
+  std::vector<double> nominals = study.smoothing_ratios;
+  if (study.envelope && study.envelope->parameter == "smoothing_ratio")
+    nominals = {study.envelope->from, study.envelope->to};
+  for (double const nominal : nominals) {
+    for (double const exponent : study.smoothing_exponents) {
+      ratio = std::max(ratio, nominal * std::pow(refinement, exponent));
+    }
+  }
+  double support = 0.0;
+  for (std::string const& id : study.kernels)
+    support = std::max(support, kernel(id, 1).support_ratio() * ratio);
+  for (StudyCase const& one : study.cases) {
+    AnyProblem const problem = one.scene_case->problem(one.parameters);
+    // What takes least of those that are asked for: the others may be skipped.
+    auto const asks = [&](char const* word) {
+      return std::find(study.integrators.begin(), study.integrators.end(), word) != study.integrators.end();
+    };
+    bool const leapfrog = asks("leapfrog") || (asks("auto") && one.scene_case->info.discontinuous);
+    char const* const integrator = leapfrog ? "leapfrog" : "runge-kutta";
+    for (LayoutChoice const& layout : study.layouts) {
+      if (!why_not(problem, layout).empty()) continue;  // skipped with a reason
+      double weights = std::numeric_limits<double>::infinity();
+      for (FormulationChoice const& formulation : study.formulations)
+        weights = std::min(weights, bytes_of_weights(formulation, problem, layout, finest, support));
+      double const bytes = estimated_bytes(one.scene_case->info.kind, integrator, problem, layout, finest, support) + weights;
+      if (bytes <= memory) continue;
+      throw UserError(
+          document.file(), "resolution",
+          fmt::format("{}, which on {} is {:.3g} particles and takes about {:.3g} GB", finest,
+                      one.scene_case->info.id, estimated_particles(problem, layout, finest), 1e-9 * bytes),
+          fmt::format("what fits into the {:.3g} GB that this process may have", 1e-9 * memory));
+    }
+  }
 }
 
 Json to_json(Study const& study) {

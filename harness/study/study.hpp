@@ -56,6 +56,10 @@ std::vector<MeasureWord> const& measure_words();
 /// Reads a study document. Throws UserError.
 Study read_study(Node const& document);
 
+/// Refuses what cannot fit into memory, before hours are spent on the runs before it; who only reads what others ran needs no
+/// room for it. Throws UserError.
+void require_memory(Study const& study, Node const& document);
+
 /// The study as a document that `read_study` reads back as the same.
 Json to_json(Study const& study);
 

@@ -1,5 +1,6 @@
 #include "harness/study/worker.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -70,7 +71,8 @@ struct UnitProcess {
 
 UnitProcess start(Json const& asked, SharedStudy const& shared) {
   std::array<int, 2> ends{};
-  if (pipe(ends.data()) != 0) throw std::runtime_error(std::string("no pipe to a run: ") + std::strerror(errno));
+  // A code that the run starts must not keep it open.
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw std::runtime_error(std::string("no pipe to a run: ") + std::strerror(errno));
   OpenFile from(ends[0]);
   OpenFile to(ends[1]);
   pid_t const parent = getpid();

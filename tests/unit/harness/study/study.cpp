@@ -521,6 +521,25 @@ BOOST_AUTO_TEST_CASE(a_final_time_beyond_the_exact_solution_is_refused) {
              {"cases.parameters.preset: found 'sodd', expected one of"});
 }
 
+BOOST_AUTO_TEST_CASE(some_runs_of_a_study_written_down_read_back_as_themselves) {
+  Json document = smallest();
+  BOOST_TEST(!read(document).runs.has_value());
+  BOOST_TEST(!to_json(read(document)).contains("runs"));
+  document["runs"] = {0, 3, 17};
+  Study const study = read(document);
+  BOOST_TEST((study.runs.value() == std::vector<std::size_t>{0, 3, 17}));
+  BOOST_TEST((read(to_json(study)).runs == study.runs));
+}
+
+/// Who merges parts has not the memory of those who ran them.
+BOOST_AUTO_TEST_CASE(a_study_too_large_to_run_here_can_be_read_here) {
+  Json document = smallest();
+  document["cases"] = Json::parse(R"({"id": "conduction/slab-dirichlet", "parameters": {"dimension": 3}})");
+  document["resolution"] = 100'000;
+  Study const study = read(document);
+  check_says(complaint([&] { require_memory(study, Node(document, "study.json")); }), {"study.json: resolution: found 100000", "GB"});
+}
+
 BOOST_AUTO_TEST_CASE(the_standard_studies_of_walls_and_closures_are_studies) {
   for (char const* name : {"hydro-walls-1d", "closures-1d", "cost-1d"}) {
     std::string const path = SPHVERIFY_SOURCE_DIR "/cases/studies/" + std::string(name) + ".json";

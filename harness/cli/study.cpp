@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <memory>
@@ -45,15 +47,22 @@ void carry_out_study(StudyCommand const& command) {
   run_study(read, options);
 }
 
+/// Rank 0 says the same, and is given time to: mpirun ends all ranks as soon as one has failed.
+void leave_it_to_rank_0() {
+  constexpr unsigned patience = 3;
+  if (rank_of_process().number == 0) return;
+  fall_silent();
+  sleep(patience);  // until a signal, if one comes
+}
+
 void study(StudyCommand const& command) {
-  bool const is_heard = rank_of_process().number == 0;
   try {
     carry_out_study(command);
   } catch (UserError const&) {
-    if (!is_heard) fall_silent();  // rank 0 says the same
+    leave_it_to_rank_0();
     throw;
   } catch (Interrupted const&) {
-    if (!is_heard) fall_silent();
+    leave_it_to_rank_0();
     throw;
   }
 }

@@ -244,6 +244,15 @@ class Ranks(ProgramTest):
         self.assertEqual(done.returncode, DONE, done.stderr)
         self.assert_complete(whole)
 
+    def test_rank_0_is_heard_though_another_fails_first(self):
+        """mpirun ends all ranks as soon as one has failed."""
+        late = 'if [ "$OMPI_COMM_WORLD_RANK" = 0 ]; then sleep 2; fi; exec "$0" study study.json --part 5/4 -o results.json'
+        words = self.command(2)
+        words = words[: words.index(PROGRAM)] + ["sh", "-c", late, PROGRAM]
+        done = subprocess.run(words, capture_output=True, text=True, cwd=self.folder, timeout=60, env=environment())
+        self.assertEqual(done.returncode, 2, done.stderr)
+        self.assertEqual(done.stderr.count("sphverify: study: --part: found 5/4"), 1, done.stderr)
+
     def test_bad_input_is_refused_in_one_line(self):
         for study, arguments, words in [
             (small_study(), ["-o", self.results], ("ranks", "4", "at most 3")),

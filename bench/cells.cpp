@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What Voronoi cells cost, beside Voro++'s own container; what a pair costs whose slope is stored, beside the kernels'; what
 // images and dummies behind walls cost, beside wall terms. All in turn, best of several rounds.
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Gresho's vortex as others measure it: its mean azimuthal velocity over annuli, from results with the measure `profile`.
 
     sphverify study cases/studies/gresho-published-2d.json -o gresho.json

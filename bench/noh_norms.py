@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Norms of Noh's problem as another code takes them, beside ours, from the results of a study with the measure `profile`.
 
     sphverify study cases/studies/noh-published-1d.json -o noh.json

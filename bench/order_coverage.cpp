@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often the intervals of observed orders hold the truth, family by family: the table of
 // docs/decisions/0009. Fixed seeds: the same table on every machine. A few minutes of one core.
 //

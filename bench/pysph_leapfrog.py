@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Our leapfrog beside PySPH's: the same gas, particles, kernel and step, one thread each, in turn in one run.
 
     bench/pysph_leapfrog.py [--particles 48] [--repeats 3] [--sphverify PROGRAM] [--json FILE]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often a gate on a ratio of run times is wrong, on a machine whose load changes: pairs of equal runs, of
 // which no gate may say that they differ, and pairs of which one does 10% or 30% more work.
 //

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # sphverify_embed_files(TARGET NAME FILES ... LICENCES ...): compiles text files into a target, so that the program
 # carries them wherever it runs. NAME is the function that finds them by path below the current source directory,
 # declared by the target itself as `std::string_view NAME(std::string_view)` in namespace sphverify; the texts of

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # sphverify_add_program(NAME my-verify SCHEMES "header.hpp:Type"... CASES "header.hpp:Type"... KERNELS "header.hpp:Type"...
 #                       [WALLS "header.hpp:Type"...]
 #                       [LINK target...])

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the program, the libraries with their headers, the schemas and the ready-made studies, and exports
 # sphverify::formulations, sphverify::cases, sphverify::reports, sphverify::harness and sphverify::program for
 # find_package(sphverify), with sphverify_add_program for programs that have parts of their own.

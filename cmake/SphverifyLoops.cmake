@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The loops over pairs are compiled once per instruction set, of templates in formulations/sweep; the program chooses a set at
 # run time. Only here may the compiler fuse a multiplication and an addition.
 set(SPHVERIFY_LOOP_TEMPLATES "${CMAKE_CURRENT_LIST_DIR}/../formulations/sweep" CACHE INTERNAL "")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # sphverify_room(NAME ...): one library per room of the house, named sphverify::NAME.
 # Sources are all .cpp files of the room, so that adding one touches no list; the build re-globs by itself.
 # Heavy headers of libraries are precompiled: they are most of the time that a file takes to compile.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Run at every build: writes OUTPUT, a header that says what is being built, if it changed.
 find_program(GIT_PROGRAM git)
 set(commit "unknown")

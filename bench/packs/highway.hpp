@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <hwy/highway.h>
 
 #include "bench/packs/columns.hpp"

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: 0BSD
 # A study as a job array of Slurm: sbatch array.sh STUDY.json FOLDER; then sphverify merge FOLDER/part-*.json -o results.json
 #SBATCH --job-name=sphverify
 #SBATCH --array=1-4

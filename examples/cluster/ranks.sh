@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: 0BSD
 # A study whose runs the ranks of one job share: sbatch ranks.sh STUDY.json RESULTS.json
 #SBATCH --job-name=sphverify
 #SBATCH --ntasks=4

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: 0BSD
 """A CSV file of DualSPHysics (PartCsv_0001.csv, or PartVTK's) as a CSV snapshot for `sphverify assess`.
 
     dualsphysics_to_csv.py FILE OUT.csv --time T (--mass M | --spacing DX) [--plane xz]

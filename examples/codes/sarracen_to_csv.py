@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: 0BSD
 """A dump of Phantom (or another that sarracen reads) as a CSV snapshot for `sphverify assess`.
 
     sarracen_to_csv.py DUMP OUT.csv

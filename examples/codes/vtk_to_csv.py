@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: 0BSD
 """Particles of a VTK file as a CSV snapshot for `sphverify assess`.
 
     vtk_to_csv.py FILE OUT.csv [--time T] [--mass M | --spacing DX] [--plane xz]

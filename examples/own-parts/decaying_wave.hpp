@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // A case that sphverify does not have.
 #pragma once
 

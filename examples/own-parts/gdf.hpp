@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // A momentum form and its energy equation that sphverify does not have.
 #pragma once
 

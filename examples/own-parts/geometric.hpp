@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // A form of heat conduction that sphverify does not have.
 #pragma once
 

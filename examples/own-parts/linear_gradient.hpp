@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // A form of two passes: the first writes a matrix for every particle, the second reads it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 // A kernel that sphverify does not have.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 /* A momentum form in C: Campbell's pressure gradient (Campbell 1989, Eqs. 11, 68, 82) with the cubic spline, as a code of
  * one's own would have it. sphverify has the same as momentum/p-rho2: rates must agree to round-off.
  *

@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: 0BSD
 ! Heat conduction in Fortran: Brookshaw's difference form (Brookshaw 1985; Campbell 1989, Eq. 63) with the cubic spline, which
 ! looks for its neighbours itself, as a code of one's own would. sphverify has the same as conduction/brookshaw: rates must
 ! agree to round-off.

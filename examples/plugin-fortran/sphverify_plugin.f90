@@ -1,3 +1,4 @@
+! SPDX-License-Identifier: 0BSD
 ! sphverify/plugin.h for Fortran: the same structures, in the same order.
 module sphverify_plugin
   use, intrinsic :: iso_c_binding

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/cells/convex_cell.hpp"
 
 #include <algorithm>

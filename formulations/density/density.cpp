@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/density/density.hpp"
 
 #include "formulations/basics/parallel.hpp"

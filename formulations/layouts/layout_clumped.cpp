@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/basics/expects.hpp"
 #include "formulations/layouts/layout_common.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #if defined(__AVX2__)
 #define SPHVERIFY_INSTRUCTION_SET avx2
 #include "formulations/neighbours/list_kernels.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #define SPHVERIFY_INSTRUCTION_SET baseline
 #include "formulations/neighbours/list_kernels.hpp"
 

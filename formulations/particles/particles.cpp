@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/particles/particles.hpp"
 
 #include "formulations/basics/expects.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/walls/finite_face.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness/codes/initial_snapshot.hpp"
 
 #include "harness/codes/csv.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness/codes/hdf5.hpp"
 #include "reports/user_error.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness/study/carry_out.hpp"
 
 #include "harness/study/pending_runs.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness/study/meeting_place.hpp"
 
 #include <arpa/inet.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: 0BSD
 /* A formulation of yours, in a shared library of any language, for sphverify to judge.
  *
  * The library exports three functions with C linkage:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/html/page_runs.hpp"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/json/series_json.hpp"
 
 #include "reports/json/checked_numbers.hpp"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fitted law of an error over N and h/dx, and its lines of equal error.
 
 // e = F + sqrt(S^2 + Q^2 + 2 c S Q), S = A (r d)^p, Q = B r^-s d^t, d = N_finest/N, r = h/dx. Where the sampling error

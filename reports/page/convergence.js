@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error over resolution, both logarithmic: the levels with the replicates' spread, what was fitted to them, and slopes
 // to compare with.
 

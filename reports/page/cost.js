@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Error over run time. On the Pareto front nothing measured is both faster and nearer.
 
 function costRows(view) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The embedded documents, with words and columns put back in their places.
 
 function readDocuments() {

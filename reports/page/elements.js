@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Small helpers that make elements. Text from the documents enters the page as text alone, never as HTML.
 
 function element(tag, attributes = {}, ...children) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How far a parameter can be driven before a run breaks: every value that was tried.
 
 function envelopeSection(doc) {

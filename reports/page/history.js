@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Budgets over time: what pairs and time stepping created, and what each wall gave beyond what it prescribes.
 
 function historyQuantities(entries) {

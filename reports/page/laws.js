@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What the fitted law of an error says: e(d) = F + A d^p (1 + c d^q), d the spacing over the finest level's.
 
 // How far beyond the finest level a law is drawn: one more doubling.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Puts the page together: each document with its verdicts, its choices, and what follows from these.
 
 function show() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mode that grows most, or decays least: how fast, how short, and where. Then all modes of a gas about rest.
 
 function modeRows(view) {

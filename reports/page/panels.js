@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What all plots share: axes, one panel for each setting, figures with captions and buttons that save them.
 
 const panelWidth = 380;

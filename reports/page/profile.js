@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Fields along the particles at the final time, against the exact solution.
 
 function profileSection(view) {

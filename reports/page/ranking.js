@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How the formulations of one case stand to each other. All from the rows that `sphverify compare` shows too: l1
 // where the solution jumps, l2 elsewhere, all particles.
 

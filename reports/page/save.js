@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Saves a plot as a file of its own: with a title, a legend, and colours written out.
 
 const drawn = [

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Whether conduction kept the second law: heat from cold to hot, new extrema, entropy that falls.
 
 // What rounding leaves of an entropy production of zero, relative to all that is turned over.

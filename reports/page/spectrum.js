@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Eigenvalues of the linearised rate in the complex plane: right of the axis a mode grows.
 
 function spectrumSection(view) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The longest steps that explicit methods can take for ever: by theory, from the spectrum, and by experiment.
 
 // The experiment tells steps apart that differ by 0.2% (of leapfrog by 0.5%), and what grows slowly shows itself

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The answer: one verdict across the cases, as `sphverify compare` gives it, then each case.
 
 // What of a row's numbers are shown: [heading, whether a row has it, text of a row].

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The error over N and h/dx: what was measured cell by cell, the fitted law as contour lines, the best h/dx at each N,
 // the path of least cost, and beside it the neighbour number of Zhu, Hernquist & Li (2015).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Tables that sort by any column and filter by words.
 
 const rowsAtFirst = 100;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs before anything is drawn, so that a dark page never flashes white.
 
 let chosenTheme = "system";

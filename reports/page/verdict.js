@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The verdict on each case: which formulation gives 1% soonest, what it costs at the walls and in energy, and which to
 // avoid.
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Carries out CI jobs as GitHub Actions and GitLab CI do, as far as the examples in examples/ci need it.
 
 Commands run as they stand, in the shell that the service would use. What comes from outside is a stand-in: programs

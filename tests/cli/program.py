@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs sphverify for the tests of the command line, in a folder that is removed afterwards."""
 
 import copy

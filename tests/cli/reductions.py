@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What tables and pages say of a results document, computed from its JSON in plain form."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Results documents in which every number is another, so that one which stands in the wrong place shows: small
 studies that fill every column, and numbers that depend on nothing but what they are of."""
 

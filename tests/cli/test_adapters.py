@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The scripts of examples/codes, on files as other libraries write them; and PySPH itself, where it is installed."""
 
 import sys

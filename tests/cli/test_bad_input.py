@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Bad input: one line that says which file, which key, what was found and what was expected; exit status 2; nothing
 on standard output; no file touched; no crash and no wait."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Values of a case that make no sense: one line with file, path, what was found and what is expected; and no number
 that is none in any message or table."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`list` and `describe` know every identifier of the contract, and every command explains itself."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The example project of examples/ci, copied as its README says and put through its own pipelines."""
 
 import sys

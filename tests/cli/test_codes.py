@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Other codes: initial particles for them (`particles`), their snapshots (`assess`), and codes that a study runs itself."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every column of every table that `sphverify compare` writes for programs, against numbers computed here from the
 results documents. The documents are scrambled (scrambled.py), so that a number of another run, level or column is seen.
 A column that is new fails until it is covered here."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`sphverify compare` in all its formats."""
 
 import sys

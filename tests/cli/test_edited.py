@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Documents of ours that somebody edited by hand: numbers that none of our runs could have are refused where they stand,
 and a journal's records are those of the runs that they are taken for."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Studies that drive a parameter until runs break, and runs that are carried out again."""
 
 import unittest

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`sphverify evaluate` reproduces the prototype's rates on all reference states."""
 
 import sys

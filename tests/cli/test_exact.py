@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`sphverify exact` against formulas that this test computes itself."""
 
 import sys

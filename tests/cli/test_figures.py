@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Figures of the findings: all points are drawn, and the same document gives the same picture."""
 
 import sys

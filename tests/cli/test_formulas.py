@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a formula may use gives the numbers that it says: schemes of tests/formulas beside ours, and beside sums in Python."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`sphverify gate`: verdicts and exit status, JUnit, Markdown, annotations, baselines, bad input."""
 
 import sys

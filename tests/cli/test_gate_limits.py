@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every measure, key and word of gates on both sides of its limit. The numbers are computed here from a results document
 in which every number is another (scrambled.py), so that a limit a hair beyond them tells a wrong number from the right
 one. The grammar's schema says what there is: a word that is not tried here fails the test."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Forms of heat conduction beside the report's: what each is good for, what it does not tell, and what is refused."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a study is refused for as too large, against the memory that runs are seen to take."""
 
 import resource

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Moving gas through the command line: documents, budgets, statuses, tables, reference solutions, bad input."""
 
 import sys

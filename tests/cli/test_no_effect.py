@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Whatever is asked for and changes nothing is refused; defaults may be written out."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`sphverify order`: orders, floors and verdicts of ladders that somebody else measured."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A program with parts of its own (examples/own-parts): they are listed, run and compared like ours, at the same exactness."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """`evaluate` on particles with smoothing lengths of their own, from files, with viscosity; and somebody's rates beside ours."""
 
 import sys

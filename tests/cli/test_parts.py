@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Studies in parts: together they are the study that one process runs, and nothing is lost, doubled or divided by mistake."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Plug-ins: the examples in C and Fortran give the rates of our own forms, and what is wrong with one is said in a line."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every error of a results document can be recomputed from the profile beside it, by the definition alone."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Studies that ranks share, under mpirun: the document of one process, whatever dies on the way."""
 
 import sys

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Interrupted and killed studies: the journal is whole, --resume completes it, and the result is the same."""
 
 import sys

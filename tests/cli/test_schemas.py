@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What the program reads and writes agrees with the JSON Schemas, by a validator that is not ours."""
 
 import sys

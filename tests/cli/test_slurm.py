@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Studies on a cluster: a Slurm controller and a node of our own carry out the job scripts of examples/cluster."""
 
 import sys

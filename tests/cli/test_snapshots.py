@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """HDF5 snapshots as SWIFT, Gadget, GIZMO and PySPH write them, and ours: written by h5py with the names, types and attributes
 of those codes, and read by `assess`; and what `particles` writes, read back by h5py."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Progress of a study on a terminal (a pseudo-terminal here) and off it."""
 
 import sys

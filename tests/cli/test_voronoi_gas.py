@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Gas that is pushed through the faces of Voronoi cells: at rest, at walls, in budgets, refused with other weights."""
 
 import sys

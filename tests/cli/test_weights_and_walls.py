@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Pair weights of Voronoi cells, and what may stand behind walls: asked for in studies and states, reported, judged, refused."""
 
 import sys

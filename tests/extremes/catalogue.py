@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The extreme catalogue as a test: every run of it ends, as an answer with its error or as a failure that says why.
 
     catalogue.py SPHVERIFY [--sample] [--patience FACTOR] [--keep FOLDER]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 /* Loaded before the C library (LD_PRELOAD): the FAIL_AT-th call of those that write fails, and all after it if FAIL_ON is set, with
  * the error FAIL_WITH; with CLOCK_JUMPS the wall clock goes to and fro by days. The number of calls is left in FAIL_COUNT. */
 #define _GNU_SOURCE

@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What a study survives: kills, cut journals, full disks, folders that become read-only, clocks that jump.
 
     tests/faults/survive.py PROGRAM                 # a sample, as the tests take it: less than a minute

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs one scheme and one reference solution of an installed sphverify from outside.
 #include <cstdio>
 

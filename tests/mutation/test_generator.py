@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The generator of mutants on snippets: what its rules make of them, and that a program with mutants in it is the original
 until one is chosen, and then the broken one."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """What both mutation suites need: a copy of the tree to break, and programs that may hang."""
 
 import os

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Chromium without a window, for the tests of the report page."""
 
 import pathlib

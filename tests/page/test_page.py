@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Opens the page of `sphverify report` in headless Chromium: what it draws, and whether one can use it."""
 
 import base64

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Every column of every sortable table of the report page, against numbers computed here from the results document.
 The documents are scrambled (tests/cli/scrambled.py), so that a number of another run, level or column is seen. The
 columns are those that the page shows: one that is new fails until it is covered here."""

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The figures: which study, which series. A new one is a table of series and a function with @figure(STUDY) above it."""
 
 import dataclasses

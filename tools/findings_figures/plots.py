@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Kinds of figures. Each takes a table of series: what a reader calls it, and the traits that choose its runs."""
 
 import math

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs of a results document by their traits, and what a figure shows of them."""
 
 import dataclasses

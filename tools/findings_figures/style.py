@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How figures look, and how they are written: text as text, ink in the reader's colour, the same bytes every time."""
 
 import io

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: 0BSD
 """Stands for your own SPH code: heat conduction between two walls in one dimension, by a dense double loop.
 
     heat.py rates STATE.json RATES.json          particles and walls for `sphverify evaluate`, and this code's rates on them

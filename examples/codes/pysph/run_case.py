@@ -1,4 +1,5 @@
 #!/usr/bin/python3
+# SPDX-License-Identifier: 0BSD
 """Runs a case of sphverify in PySPH: python3 run_case.py INITIAL.hdf5 FINAL.hdf5 CASE.json [--scheme gsph|mpm|adke]
 
 INITIAL is in PySPH's own format (`sphverify particles --format pysph`), CASE the sheet beside it, which says domain, walls

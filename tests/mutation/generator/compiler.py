@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A source as the compiler's library sees it: its tree, and whether a changed text still compiles."""
 
 import json

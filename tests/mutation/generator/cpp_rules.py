@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Where a C++ source can be broken, and how: what libclang's tree of it offers to the rules.
 
 Places where nothing can change, or nothing that a process could choose, are counted under their reason in LEFT_OUT.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Which mutants: files by their lines, places in them at random, all from a seed.
 
 The mutant of a number depends on the seed and the sources, not on how many are drawn.

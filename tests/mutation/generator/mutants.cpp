@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Not mutants.hpp: what is const there is set here, before any constructor runs.
 #include <fcntl.h>
 #include <sys/mman.h>

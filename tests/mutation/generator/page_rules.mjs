@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The mutants of the page's scripts, as JSON on the standard output: node page_rules.mjs FOLDER_OF_NPM FILE...
 // What each field means is said in pieces.py; the rules are those of cpp_rules.py as far as JavaScript has them.
 import { readFileSync } from "node:fs";

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A mutant as an edit of a source, and a source with many of them at once.
 
 An edit replaces the text from `start` to `end`. What comes in its place is a list of pieces: text, or a pair (start, end) that

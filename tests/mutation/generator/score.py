@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The score of a run, by room, with its interval."""
 
 import math

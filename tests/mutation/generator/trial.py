@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the fast tests on mutants: each test once without any, to see which mutants it reaches and how long it takes, then
 on those of them that no test has noticed yet."""
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Tells every page that the tests open which mutant runs: scripts cannot read the environment."""
 
 import os

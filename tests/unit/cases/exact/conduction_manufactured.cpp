@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/exact/conduction_manufactured.hpp"
 
 #include <boost/mpl/list.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "cases/exact/two_layer.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/basics/parallel.hpp"
 #include "formulations/walls/sweep_wall.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "formulations/walls/wall_heat_balance.hpp"
 
 #include <boost/test/unit_test.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "harness/measure/error_law.hpp"
 
 #include <gsl/gsl_cdf.h>

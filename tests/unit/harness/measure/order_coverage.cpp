@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // How often the intervals hold the truth, over families of ladders whose truth is known. Fixed seeds: the
 // same ladders on every machine.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "reports/json/node.hpp"
 
 #include <boost/test/unit_test.hpp>

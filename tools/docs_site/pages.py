@@ -31,11 +31,19 @@ def with_deep_items(text: str) -> str:
     return "\n".join(lines)
 
 
+def tracked(source: pathlib.Path) -> list[str]:
+    """What git knows or would add; of an archive without git all that is there."""
+    listed = subprocess.run(["git", "-C", source, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True)
+    if listed.returncode == 0:
+        return [name for name in listed.stdout.split("\n") if (source / name).is_file()]
+    return sorted(str(path.relative_to(source)) for path in source.rglob("*")
+                  if path.is_file() and not {"build", "node_modules", "__pycache__"} & set(path.parts))
+
+
 class Pages:
     def __init__(self, source: pathlib.Path, folder: pathlib.Path):
         self.source, self.folder = source, folder
-        self.tracked = subprocess.run(["git", "-C", source, "ls-files", "-co", "--exclude-standard"], check=True,
-                                      capture_output=True, text=True).stdout.split("\n")
+        self.tracked = tracked(source)
         self.written = set()
 
     def write_all(self) -> None:

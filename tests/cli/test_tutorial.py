@@ -36,7 +36,9 @@ class Tutorial(ProgramTest):
         for quoted in blocks(""):
             self.assertIn(quoted, shown[1])
         changes = re.findall(r"^worse +error .* x([\d.]+) .*\n.*first lattice, h/dx 1.2( \(N/16\)\^0.5)?$", shown[2], re.MULTILINE)
-        self.assertEqual([(round(float(ratio)), bool(grows)) for ratio, grows in changes], [(45, True), (2, False)])
+        self.assertEqual([bool(grows) for _, grows in changes], [True, False])
+        self.assertAlmostEqual(float(changes[0][0]), 45, delta=1)
+        self.assertAlmostEqual(float(changes[1][0]), 2, delta=0.2)
         self.assertIn("3 gates: 3 passed", shown[3])
         self.assertIn("3 gates: 1 passed, 2 failed", shown[3])
         self.assertIn("the mistake is caught", shown[3])

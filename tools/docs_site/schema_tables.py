@@ -28,6 +28,12 @@ def holds_objects(schema: dict) -> bool:
     return "properties" in schema or any(holds_objects(one) for one in alternatives(schema))
 
 
+def named_values(schema: dict) -> list[dict]:
+    """What keys that the document chooses hold."""
+    more = schema.get("additionalProperties")
+    return [*schema.get("patternProperties", {}).values(), *([more] if isinstance(more, dict) else [])]
+
+
 def link(reference: str) -> str:
     document, _, place = reference.partition("#")
     name = document.removesuffix(".schema.json")
@@ -79,8 +85,8 @@ def choice(choices: list[dict], root: dict) -> str:
 def one_type(kind: str, schema: dict, root: dict) -> str:
     if kind == "array":
         return "list of " + type_of(schema["items"], root) if "items" in schema else "list"
-    if kind == "object" and "properties" not in schema and isinstance(schema.get("additionalProperties"), dict):
-        return "object, by name: " + type_of(schema["additionalProperties"], root)
+    if kind == "object" and "properties" not in schema and (named := named_values(schema)):
+        return "object, by name: " + choice(named, root)
     return kind + (limits(schema) if kind in ("number", "integer") else "")
 
 
@@ -91,8 +97,8 @@ def inner_objects(schema: dict, key: str) -> list[tuple[str, dict]]:
     found = [inner for one in alternatives(schema) for inner in inner_objects(one, key)]
     if isinstance(schema.get("items"), dict):
         found += inner_objects(schema["items"], key + "[]")
-    if isinstance(schema.get("additionalProperties"), dict):
-        found += inner_objects(schema["additionalProperties"], key + ".NAME")
+    for named in named_values(schema):
+        found += inner_objects(named, key + ".NAME")
     # Of a list of what may also stand alone, once.
     return [one for place, one in enumerate(found) if all(one[1] != other[1] for other in found[:place])]
 

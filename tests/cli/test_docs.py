@@ -19,10 +19,11 @@ LOGS = {"CHANGELOG.md"}  # grows without end, and is no page
 
 @functools.cache
 def tracked():
-    """What git knows or would add; without git (a released archive) all that is there."""
+    """What git knows or would add; without git (a released archive, wherever it lies) all that is there."""
     listed = subprocess.run(["git", "-C", SOURCE, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True)
-    if listed.returncode == 0:
-        return [name for name in listed.stdout.split("\n") if name and (SOURCE / name).is_file()]
+    names = listed.stdout.split("\n")
+    if "README.md" in names:
+        return [name for name in names if name and (SOURCE / name).is_file()]
     return [str(path.relative_to(SOURCE)) for path in SOURCE.rglob("*")
             if path.is_file() and not {"node_modules", "build"} & set(path.parts)]
 

@@ -34,8 +34,9 @@ def with_deep_items(text: str) -> str:
 def tracked(source: pathlib.Path) -> list[str]:
     """What git knows or would add; of an archive without git all that is there."""
     listed = subprocess.run(["git", "-C", source, "ls-files", "-co", "--exclude-standard"], capture_output=True, text=True)
-    if listed.returncode == 0:
-        return [name for name in listed.stdout.split("\n") if (source / name).is_file()]
+    names = listed.stdout.split("\n")
+    if "README.md" in names:
+        return [name for name in names if name and (source / name).is_file()]
     return sorted(str(path.relative_to(source)) for path in source.rglob("*")
                   if path.is_file() and not {"build", "node_modules", "__pycache__"} & set(path.parts))
 

@@ -69,7 +69,7 @@ Parameters in_use(Case const& one, Parameters const& parameters);
 /// it.
 Parameters until(Case const& one, Parameters const& parameters, double time);
 
-/// Dispatches on the `dimension` parameter: calls make.operator()<Dim>() for 1, 2 or 3.
+/// Dispatches on the `dimension` parameter: calls `make.operator()<Dim>()` for 1, 2 or 3.
 template <class Make>
 AnyProblem in_dimension(int dimension, Make const& make) {
   switch (dimension) {

@@ -34,7 +34,7 @@ struct RiemannViscosity {
   }
 
   /// @param approach v_ij.r_ij, negative where the two approach  [m^2/s]
-  /// @param h, c, rho the pair's means
+  /// @param c, rho the pair's means
   /// @param divisor the above, as something to divide by
   template <class Number>
   Pair<Number> pair(Number approach, Number, Number c, Number rho, auto const& divisor) const {

@@ -14,7 +14,7 @@ from pieces import ON, Mutant, choice
 Kind = cindex.CursorKind
 Type = cindex.TypeKind
 
-# Reason -> why no mutant is made there. The manual (docs/mutation.md) shows this table.
+# Reason -> why no mutant is made there. The manual (docs/generated-mutants.md) shows this table.
 LEFT_OUT = {
     "neutral": "dropping + 0 or * 1 leaves the value",
     "same text": "swapping two arguments that say the same changes nothing",

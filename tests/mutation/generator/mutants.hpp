@@ -3,7 +3,7 @@
 
 #include <type_traits>
 
-// What a source with generated mutants is compiled with (docs/mutation.md): whether the process runs one of them. Chosen by
+// What a source with generated mutants is compiled with (docs/generated-mutants.md): whether the process runs one of them. Chosen by
 // SPHVERIFY_MUTANT before any constructor runs; const here so that loops need not read it again.
 extern "C" int const sphverify_mutant;
 extern "C" bool sphverify_mutant_reached(int number);

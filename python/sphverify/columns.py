@@ -43,14 +43,23 @@ class Columns:
     def frame(self):
         for column in self.values.values():
             column.extend([None] * (self.rows - len(column)))
-        columns = {name: _array(values, self.known.get(name)) for name, values in self.values.items()}
+        columns = {name: _array(name, values, self.known.get(name)) for name, values in self.values.items()}
         return pandas.DataFrame(columns, index=pandas.RangeIndex(self.rows), copy=False)
 
 
-def _array(values, kind):
+EXPECTED = {TEXT: {str, tuple}, NUMBER: {int, float}, WHOLE: {int, float}, FLAG: {bool}}
+
+
+def _array(name, values, kind):
+    there = {type(value) for value in values} - {type(None)}
     if kind is None:
-        there = {type(value) for value in values} - {type(None)}
         kind = FLAG if there == {bool} else NUMBER if there <= {int, float} else TEXT
+    elif not there <= EXPECTED[kind] or (kind == WHOLE and float in there):
+        for value in values:  # numpy would make numbers of texts and truth values, and cut off fractions
+            is_whole = not isinstance(value, float) or value.is_integer()
+            if value is not None and (type(value) not in EXPECTED[kind] or (kind == WHOLE and not is_whole)):
+                expected = {FLAG: "true or false", WHOLE: "a whole number"}.get(kind, f"a {kind}")
+                raise ValueError(f"{name}: found {value!r}, expected {expected}")
     if kind == NUMBER:  # counts too: a double holds whole numbers up to 9e15, and has a NaN
         return numpy.array(values, dtype=float)
     if kind == WHOLE:  # a seed may have 19 digits
@@ -81,7 +90,7 @@ def hashable(value):
     if isinstance(value, list):
         return tuple(hashable(inner) for inner in value)
     if isinstance(value, dict):
-        return tuple((key, hashable(inner)) for key, inner in value.items())
+        return tuple(hashable(inner) for inner in value.values())
     return value
 
 

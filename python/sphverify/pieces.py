@@ -62,6 +62,11 @@ class _Text:
         self.at += 1
         return found
 
+    def key(self):
+        self.take('"')
+        self.at -= 1
+        return self.value()
+
     def value(self):
         self.next()
         while True:
@@ -90,8 +95,9 @@ def pieces(path, one_by_one):
             text = _Text(file, path)
             text.take("{")
             seen = set()
-            while text.next() == '"':
-                key = text.value()
+            ended = text.next() == "}" and text.take("}")
+            while not ended:
+                key = text.key()
                 if key in seen:
                     text.fail(f"found the key '{key}' twice")
                 seen.add(key)
@@ -100,10 +106,7 @@ def pieces(path, one_by_one):
                     yield from _elements(text, key)
                 else:
                     yield key, None, text.value()
-                if text.take(",", "}") == "}":
-                    break
-            else:
-                text.take('"')
+                ended = text.take(",", "}") == "}"
             if text.next():
                 text.fail("found more text, expected the end of the file")
     except UnicodeDecodeError:

@@ -52,7 +52,10 @@ def study(document, output=None, program=None, jobs=None, resume=False):
         arguments += ["--jobs", str(jobs)] if jobs is not None else []
         arguments += ["--resume"] if resume else []
         _run_with_progress(find_program(program), arguments, json.dumps(document) if is_text else "")
-        return load(path)
+        results = load(path)
+    if output is None:
+        results.name = results.document["study"]["name"]  # the file is gone
+    return results
 
 
 def compare(*results, section="series", region=None, norm=None, program=None):
@@ -60,7 +63,9 @@ def compare(*results, section="series", region=None, norm=None, program=None):
     arguments = ["compare", *map(os.fspath, results), "--format", "csv", "--section", section]
     arguments += ["--region", region] if region is not None else []
     arguments += ["--norm", norm] if norm is not None else []
-    return pandas.read_csv(io.StringIO(_run(program, arguments)[0]), keep_default_na=False, na_values=[""])
+    text, _ = _run(program, arguments)
+    # All digits of every number; and no word, such as `none`, is taken for a missing value.
+    return pandas.read_csv(io.StringIO(text), float_precision="round_trip", keep_default_na=False, na_values=[""])
 
 
 def gate(results, gates, program=None):

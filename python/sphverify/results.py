@@ -119,7 +119,10 @@ def load(path):
             reader.document[key] = value
         else:
             reader.read(key, index, value)
-    return reader.results()
+    try:
+        return reader.results()
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise Error(f"{path}: not as in {SCHEMA}: {error}") from None
 
 
 class _Reader:

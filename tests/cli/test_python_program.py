@@ -12,6 +12,7 @@ import pathlib
 import shutil
 import signal
 import subprocess
+import textwrap
 import time
 import unittest
 
@@ -50,6 +51,14 @@ class Studies(ProgramTest):
         of_path, _ = self.run_quietly(self.write("study.json", study), output, jobs=1)
         pandas.testing.assert_frame_equal(of_dict.levels, of_path.levels)
         self.assertEqual(timeless(strict_json(output.read_text())), timeless(self.study(study)))
+
+    def test_the_first_lines_of_the_documentation(self):
+        self.write("study.json", small_study())
+        page = (SOURCE_DIR / "docs" / "python.md").read_text()
+        code = page[: page.index("The module needs")].partition("\n")[2]
+        done = subprocess.run([sys.executable, "-c", textwrap.dedent(code)], capture_output=True, text=True, cwd=self.folder,
+                              env=os.environ | {"PYTHONPATH": str(SOURCE_DIR / "python"), "SPHVERIFY": PROGRAM})  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def test_jobs_and_resume_reach_the_program(self):
         script = self.write("spy", f'#!/bin/sh\nprintf "%s\\n" "$@" >"{self.folder}/arguments"\nexec "{PROGRAM}" "$@"\n')
@@ -112,23 +121,30 @@ class Found(ProgramTest):
             (self.folder / place).parent.mkdir(parents=True, exist_ok=True)
             self.write(place, "#!/bin/sh\n").chmod(0o755)
 
-    def found(self, *arguments, **variables):
-        code = f"import sphverify; print(sphverify.find_program({', '.join(map(repr, arguments))}))"
-        environment = {"PATH": f"{self.folder}/path:/usr/bin:/bin", "PYTHONPATH": str(self.prefix / "lib/python3/dist-packages")}
-        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment | variables)
-        lines = done.stderr.splitlines()
-        return done.stdout.strip().removeprefix(f"{self.folder}/") or lines[-1].removeprefix("sphverify.errors.Error: ")
-
     def test_order(self):
         mine = str(self.folder / "other" / "mine")
-        self.assertEqual(self.found(mine, SPHVERIFY="sphverify"), "other/mine")
-        self.assertEqual(self.found(SPHVERIFY=mine), "other/mine")
-        self.assertEqual(self.found(), "prefix/bin/sphverify")
-        (self.prefix / "bin" / "sphverify").unlink()
-        self.assertEqual(self.found(), "path/sphverify")
-        (self.folder / "path" / "sphverify").unlink()
-        self.assertIn("found no program sphverify: expected it on PATH, or SPHVERIFY to name it", self.found())
-        self.assertEqual(self.found("nothing"), "found no program 'nothing', expected sphverify")
+        code = """
+import os, sphverify
+def found(*asked, **variables):
+    os.environ.update(variables)
+    try:
+        print(sphverify.find_program(*asked))
+    except sphverify.Error as error:
+        print(error)
+    os.environ.pop("SPHVERIFY", None)
+"""
+        code += f"found({mine!r}, SPHVERIFY='sphverify')\nfound(SPHVERIFY={mine!r})\nfound()\n"
+        for gone in ("prefix/bin/sphverify", "path/sphverify"):
+            code += f"os.unlink({str(self.folder / gone)!r})\nfound()\n"
+        code += "found('nothing')\n"
+        environment = {"PATH": f"{self.folder}/path:/usr/bin:/bin", "PYTHONPATH": str(self.prefix / "lib/python3/dist-packages")}
+        done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=environment)
+        self.assertEqual(done.stderr, "")
+        self.assertEqual(done.stdout.replace(f"{self.folder}/", "").splitlines(), [
+            "other/mine", "other/mine", "prefix/bin/sphverify", "path/sphverify",
+            "found no program sphverify: expected it on PATH, or SPHVERIFY to name it",
+            "found no program 'nothing', expected sphverify",
+        ])  # fmt: skip
 
 
 class Verdicts(ProgramTest):

@@ -43,7 +43,7 @@ class Documents(ProgramTest):
         self.assertIsNone(caught.exception.status)
 
     def test_pieces_are_the_whole_wherever_they_are_cut(self):
-        document = light("gas") | {"number": 1234567890, "other": -1.5e-7}
+        document = {f"number {k}": 1234567890 * 10 ** (k % 7) for k in range(50)} | light("gas")
         document["skipped"][0]["reason"] = 'π "quoted" \\ and } ] , \u2028'
         layouts = {"indented": json.dumps(document, indent=2), "compact": json.dumps(document, ensure_ascii=False)}
         usual = sphverify.pieces.CHUNK

@@ -88,6 +88,34 @@ class Studies(ProgramTest):
             self.assertEqual(caught.exception.status, status)
             self.assertIn(word, str(caught.exception))
 
+    def test_ctrl_c_reaches_the_program_once(self):
+        told = self.folder / "told"
+        script = self.write("patient", f"""#!/bin/sh
+trap 'echo interrupted >>"{told}"' INT
+echo $$ >&2
+while ! test -s "{told}"; do sleep 0.05; done
+sleep 0.5
+""")
+        script.chmod(0o755)
+        code = (f"import signal, sphverify; signal.signal(signal.SIGINT, signal.default_int_handler); "
+                f"sphverify.study({{}}, program={str(script)!r})")  # fmt: skip
+        process = subprocess.Popen([sys.executable, "-c", code], stderr=subprocess.PIPE, text=True, start_new_session=True,
+                                   env=os.environ | {"PYTHONPATH": str(SOURCE_DIR / "python")})  # fmt: skip
+        program = int(process.stderr.readline())
+
+        def end():
+            for pid in (process.pid, program):
+                with contextlib.suppress(ProcessLookupError):
+                    os.kill(pid, signal.SIGKILL)
+            process.communicate()
+
+        self.addCleanup(end)
+        self.assertNotEqual(os.getpgid(program), process.pid)
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        _, shown = process.communicate(timeout=60)
+        self.assertIn("KeyboardInterrupt", shown)
+        self.assertEqual(told.read_text(), "interrupted\n")
+
     def test_an_interrupted_study_ends_in_order_and_is_taken_up(self):
         output = self.folder / "out.json"
         code = (f"import signal, sphverify; signal.signal(signal.SIGINT, signal.default_int_handler); "

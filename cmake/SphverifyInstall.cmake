@@ -11,6 +11,9 @@ install(DIRECTORY formulations cases harness reports DESTINATION ${CMAKE_INSTALL
         FILES_MATCHING PATTERN "*.hpp")
 install(FILES include/sphverify/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sphverify)
 install(DIRECTORY cases/studies reports/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/sphverify)
+# Where Debian's python3 of any version looks below /usr; elsewhere PYTHONPATH names it (docs/python.md).
+install(DIRECTORY python/sphverify DESTINATION lib/python3/dist-packages FILES_MATCHING PATTERN "*.py"
+        PATTERN "__pycache__" EXCLUDE)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/sphverify)
 install(EXPORT sphverify-targets NAMESPACE sphverify:: DESTINATION ${package_dir})

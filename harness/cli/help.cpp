@@ -27,6 +27,13 @@ std::size_t command_in(std::string const& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
+/// Of programs that others make of our libraries the manual is ours, too.
+std::string manual_of(CLI::App const& app) {
+  return app.get_parent() == nullptr ? "sphverify, man sphverify-study, ..." : "sphverify-" + app.get_name();
+}
+
+}  // namespace
+
 std::string command_lines(std::string const& line, std::size_t start, std::size_t columns) {
   if (text_width(line) <= columns) return line + "\n";
   constexpr std::string_view goes_on = " \\";
@@ -39,13 +46,6 @@ std::string command_lines(std::string const& line, std::size_t start, std::size_
   }
   return text + "\n";
 }
-
-/// Of programs that others make of our libraries the manual is ours, too.
-std::string manual_of(CLI::App const& app) {
-  return app.get_parent() == nullptr ? "sphverify, man sphverify-study, ..." : "sphverify-" + app.get_name();
-}
-
-}  // namespace
 
 std::string usage_of(CLI::App const& command, std::string const& name) {
   std::string text = name;

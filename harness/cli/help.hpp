@@ -12,6 +12,9 @@ namespace sphverify {
 /// "sphverify exact [OPTIONS] -t TIME CASE"
 std::string usage_of(CLI::App const& command, std::string const& name);
 
+/// A line whose command begins at `start`, broken as a shell takes it where it is longer than so many columns.
+std::string command_lines(std::string const& line, std::size_t start, std::size_t columns);
+
 /// Help in lines as long as COLUMNS or the terminal says, else of 80 columns. A line of a footer that is a
 /// command ("Example: sphverify ...", or indented) is broken as a shell takes it: with a backslash.
 class HelpInColumns : public CLI::FormatterBase {

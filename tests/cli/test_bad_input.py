@@ -520,9 +520,9 @@ class States(BadInput):
                 self.particles["pressure"][4] = value
                 self.refuse_this("particles.pressure[4]", f"found {shown}", "number")
         self.particles["pressure"][4] = float("nan")
-        self.refuse_this("line 1")
+        self.refuse_this("state.json:1:", "expected a finite number")
         self.particles["position"][4] = [float("inf")]
-        self.refuse_this("line 1")
+        self.refuse_this("state.json:1:", "expected a finite number")
 
     def test_masses_densities_and_smoothing_lengths_that_are_not_positive_are_refused(self):
         for key in ("mass", "density"):

@@ -225,7 +225,7 @@ class OffATerminal(ProgramTest):
         self.assertLess(len(lines), 10, "a line every few seconds, not one per run")
 
     def test_a_log_hears_of_a_run_that_takes_long_before_it_ends(self):
-        code = {"id": "external/slow", "command": ["sh", "-c", "sleep 7"]}
+        code = {"id": "external/slow", "command": ["sh", "-c", "sleep 7", "{initial}", "{final}"]}
         study = self.write("study.json", small_study(formulations=[code], resolution=[8]))
         result = self.run_program("study", study, "-o", self.folder / "results.json")
         self.assertEqual(result.returncode, DONE, result.stderr)

@@ -16,7 +16,8 @@ namespace sphverify {
 
 namespace {
 
-constexpr std::size_t source_columns = 76;  // of the page's source, for whoever reads it
+constexpr std::size_t source_columns = 76;   // of the page's source, for whoever reads it
+constexpr std::size_t example_columns = 72;  // of a line as it is shown, behind the page's margin
 constexpr std::string_view example = "Example: ";
 
 /// One line as roff takes it literally.
@@ -126,7 +127,10 @@ std::string paragraphs(std::vector<std::string> const& notes) {
 
 std::string examples(std::vector<std::string> const& commands) {
   std::string text = section("EXAMPLES") + ".EX\n";
-  for (std::string const& one : commands) text += escaped(one) + "\n";
+  for (std::string const& one : commands) {
+    std::istringstream lines(command_lines(one, 0, example_columns));
+    for (std::string line; std::getline(lines, line);) text += escaped(line) + "\n";
+  }
   return text + ".EE\n";
 }
 

@@ -63,7 +63,7 @@ class Manual(ShellTest):
         for command in [(), *((one,) for one in self.commands())]:
             with self.subTest(command=command):
                 page = self.page(*command)
-                plain = re.sub(r"\\f[BIR]", "", page).replace("\\-", "-")
+                plain = re.sub(r"\\f[BIR]", "", page).replace("\\-", "-").replace(" \\e\n", "")
                 for name in self.options(*command):
                     self.assertRegex(plain, rf"(?m)^(.*, )?{name}\b")
                 for section in ("NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS", "EXAMPLES", "SEE ALSO"):

@@ -7,6 +7,8 @@ include(CMakePackageConfigHelpers)
 install(TARGETS sphverify_formulations sphverify_cases sphverify_reports sphverify_harness sphverify_program
         EXPORT sphverify-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(TARGETS sphverify RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+# Manual and completion: a build for another machine may have none.
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/ DESTINATION ${CMAKE_INSTALL_DATADIR} OPTIONAL)
 install(DIRECTORY formulations cases harness reports DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sphverify
         FILES_MATCHING PATTERN "*.hpp")
 install(FILES include/sphverify/plugin.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/sphverify)

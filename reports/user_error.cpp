@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "reports/json/places.hpp"
 #include "reports/printable.hpp"
 
 namespace sphverify {
@@ -16,7 +17,7 @@ UserError::UserError(std::string_view message) : std::runtime_error(printable(me
 UserError::UserError(std::string_view file, std::string_view key, std::string_view found,
                      std::string_view expected)
     : UserError(key.empty() ? fmt::format("{}: found {}, expected {}", file, found, expected)
-                            : fmt::format("{}: {}: found {}, expected {}", file, key, found, expected)) {}
+                            : fmt::format("{}: {}: found {}, expected {}", file_and_place(file, key), key, found, expected)) {}
 
 namespace {
 

@@ -36,7 +36,7 @@ void add_assess(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("assess", "Measures what another code computed of a case, from its snapshots");
   sub->add_option("SNAPSHOTS.json", command->document, "Which files are of which resolution and time; - for standard input")
       ->required();
-  sub->add_option("-o,--output", command->output, "Where the results go; standard output by default");
+  sub->add_option("-o,--output", command->output, "Where the results go; standard output by default")->type_name("FILE");
   sub->footer(
       "Reads CSV, and the HDF5 of SWIFT, Gadget, GIZMO and PySPH. The results go into compare, gate and report like those of a "
       "study, alone or beside them.\n"

@@ -101,8 +101,9 @@ void add_claims(CLI::App& app) {
   auto command = std::make_shared<ClaimsCommand>();
   CLI::App* sub = app.add_subcommand("claims", "Holds formulations to what they claim of themselves");
   sub->add_option("FORMULATION", command->ids, "Identifiers from `sphverify list formulations`; all by default");
-  sub->add_option("--plugin", command->plugins, "Shared libraries to hold to theirs (sphverify/plugin.h)")
-      ->allow_extra_args(false);
+  sub->add_option("--plugin", command->plugins, "A shared library to hold to its claims (sphverify/plugin.h)")
+      ->allow_extra_args(false)
+      ->type_name("LIBRARY");
   sub->add_flag("--json", command->json, "As a JSON document");
   sub->footer(
       "Conservation, exactness, symmetry and continuity, in one to three dimensions with every kernel. What is not "

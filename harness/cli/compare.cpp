@@ -8,7 +8,7 @@
 
 #include "harness/cli/commands.hpp"
 #include "harness/cli/controls.hpp"
-#include "harness/cli/help.hpp"
+#include "harness/cli/option_facts.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/compare.hpp"
@@ -104,15 +104,12 @@ void add_compare(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("compare", "Formulations side by side, from one or more results documents");
   sub->add_option("RESULTS.json", command->documents, "Results documents")->required();
-  sub->add_option("--format", command->format, "table, markdown, csv or json")
-      ->check(one_of_words({"table", "markdown", "csv", "json"}));
-  sub->add_option("--region", command->options.region, "all, interior, wall, corner or smooth")
-      ->check(one_of_words({"all", "interior", "wall", "corner", "smooth"}));
-  sub->add_option("--norm", command->options.norm,
-                  "l1, l2 or linf; default: l1 where the solution jumps, l2 elsewhere")
-      ->check(one_of_words({"l1", "l2", "linf"}));
-  sub->add_option("--section", command->options.section, section_help())
-      ->check(one_of_words(section_names()));
+  take_one_of(sub->add_option("--section", command->options.section, section_help()), section_names());
+  take_one_of(sub->add_option("--format", command->format, "How they are written [table]"), {"table", "markdown", "csv", "json"});
+  take_one_of(sub->add_option("--region", command->options.region, "Where errors are taken [all]"),
+              {"all", "interior", "wall", "corner", "smooth"});
+  take_one_of(sub->add_option("--norm", command->options.norm, "Of errors; default: l1 where the solution jumps, l2 elsewhere"),
+              {"l1", "l2", "linf"});
   sub->add_flag("--legend", command->options.legend, "Says below the tables what their marks mean");
   sub->footer(
       "Lines are as long as COLUMNS or the terminal says, else 80.\n"

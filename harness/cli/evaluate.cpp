@@ -107,13 +107,16 @@ void add_evaluate(CLI::App& app) {
   auto command = std::make_shared<EvaluateCommand>();
   CLI::App* sub = app.add_subcommand("evaluate", "Rates of every scheme on particles that you give");
   sub->add_option("STATE.json", command->state, "A state document; - for standard input")->required();
-  sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default");
-  sub->add_option("--against", command->against, "RATES.json: your own rates, to be compared instead; exit status 1 if they are off");
+  sub->add_option("-o,--output", command->output, "Where the rates go; standard output by default")->type_name("FILE");
+  sub->add_option("--against", command->against, "Your own rates, to be compared instead; exit status 1 if they are off")
+      ->type_name("RATES.json");
   sub->add_option("--limit", command->limit, "Of the largest difference, relative to the largest rate [1e-12; single precision 4e-6]")
-      ->check(CLI::PositiveNumber);
-  sub->add_option("--only", command->only, "A scheme whose rates are wanted; may be repeated [all]")->allow_extra_args(false);
-  sub->add_option("--plugin", command->plugins, "Shared libraries whose rates are wanted too (sphverify/plugin.h)")
-      ->allow_extra_args(false);
+      ->check(CLI::PositiveNumber)
+      ->type_name("LIMIT");
+  sub->add_option("--only", command->only, "A scheme whose rates are wanted [all]")->allow_extra_args(false)->type_name("FORMULATION");
+  sub->add_option("--plugin", command->plugins, "A shared library whose rates are wanted too (sphverify/plugin.h)")
+      ->allow_extra_args(false)
+      ->type_name("LIBRARY");
   sub->footer(
       "Rates of your own are read from {\"rates\": {\"conduction/brookshaw\": {\"heating\": [...]}}}.\n"
       "Example: sphverify evaluate state.json --against own-rates.json");

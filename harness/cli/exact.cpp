@@ -166,13 +166,15 @@ void add_exact(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("exact", "The reference solution of a case, as JSON");
   sub->add_option("CASE", command->case_id, "A case from `sphverify list cases`")->required();
   sub->add_option("-p,--parameter", command->parameters,
-                  "NAME=VALUE; VALUE is JSON or a bare word; may be repeated")
+                  "VALUE is JSON or a bare word")
       ->take_all()
-      ->allow_extra_args(false);
-  sub->add_option("-t,--time", command->time, "Time")->required();
-  CLI::Option* const points = sub->add_option("--points", command->points, "X1,X2,...; X:Y:Z,... in more dimensions");
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
+  sub->add_option("-t,--time", command->time, "When")->required()->type_name("TIME");
+  CLI::Option* const points = sub->add_option("--points", command->points, "Where: X1,X2,...; in more dimensions X:Y:Z,...")->type_name("POINTS");
   CLI::Option* const file =
-      sub->add_option("--points-file", command->file, "Particles whose places are the points: CSV with columns x, y, z, or HDF5");
+      sub->add_option("--points-file", command->file, "Particles whose places are the points: CSV with columns x, y, z, or HDF5")
+          ->type_name("FILE");
   points->excludes(file);
   sub->footer(
       "A parameter that is given and has no effect is refused, final_time among them: the case need only "

@@ -8,7 +8,6 @@
 
 #include "harness/terminal.hpp"
 #include "reports/table/number_text.hpp"
-#include "reports/user_error.hpp"
 
 namespace sphverify {
 
@@ -28,6 +27,13 @@ std::size_t command_in(std::string const& line) {
   return std::min(line.find_first_not_of(' '), line.size());
 }
 
+/// Of programs that others make of our libraries the manual is ours, too.
+std::string manual_of(CLI::App const& app) {
+  return app.get_parent() == nullptr ? "sphverify, man sphverify-study, ..." : "sphverify-" + app.get_name();
+}
+
+}  // namespace
+
 std::string command_lines(std::string const& line, std::size_t start, std::size_t columns) {
   if (text_width(line) <= columns) return line + "\n";
   constexpr std::string_view goes_on = " \\";
@@ -41,20 +47,20 @@ std::string command_lines(std::string const& line, std::size_t start, std::size_
   return text + "\n";
 }
 
-}  // namespace
+std::string usage_of(CLI::App const& command, std::string const& name) {
+  std::string text = name;
+  auto const options = options_of(command);
+  if (std::any_of(options.begin(), options.end(), [](OptionFacts const& one) { return !one.is_required; })) text += " [OPTIONS]";
+  for (OptionFacts const& one : options) {
+    if (one.is_required) text += " " + one.names.front() + " " + one.takes;
+  }
+  for (OptionFacts const& one : arguments_of(command)) text += one.is_required ? " " + one.head() : " [" + one.head() + "]";
+  if (!command.get_subcommands({}).empty()) text += " SUBCOMMAND";
+  return text;
+}
 
 HelpInColumns::HelpInColumns() : columns_(known_columns().value_or(usual_columns)) {
   column_width(std::min(get_column_width(), 3 * columns_ / 8));
-}
-
-std::string HelpInColumns::make_description(CLI::App const* app) const {
-  return hanging_lines("", app->get_description(), 0, columns_);
-}
-
-std::string HelpInColumns::make_usage(CLI::App const* app, std::string name) const {
-  std::string usage = Formatter::make_usage(app, std::move(name));
-  while (usage.ends_with('\n')) usage.pop_back();
-  return hanging_lines("", usage, 4, columns_);
 }
 
 std::string HelpInColumns::entry(std::string const& name, std::string const& says) const {
@@ -62,7 +68,7 @@ std::string HelpInColumns::entry(std::string const& name, std::string const& say
   std::string head = hanging_lines("  ", name, 6, columns_);
   head.pop_back();
   std::string text;
-  if (head.find('\n') == std::string::npos && text_width(head) < width) {
+  if (head.find('\n') == std::string::npos && text_width(head) + 1 < width) {
     head.resize(head.size() + width - text_width(head), ' ');
   } else {
     text = head + "\n";
@@ -75,30 +81,34 @@ std::string HelpInColumns::entry(std::string const& name, std::string const& say
   return text;
 }
 
-std::string HelpInColumns::make_option(CLI::Option const* option, bool is_positional) const {
-  return entry(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
+std::string HelpInColumns::entries(std::string const& title, std::vector<OptionFacts> const& options) const {
+  if (options.empty()) return "";
+  std::string text = "\n" + title + ":\n";
+  for (OptionFacts const& option : options) text += entry(option.head(), option.says);
+  return text;
 }
 
-std::string HelpInColumns::make_subcommand(CLI::App const* command) const {
-  return entry(command->get_name(), command->get_description());
+std::string HelpInColumns::subcommands(CLI::App const& app) const {
+  auto const all = app.get_subcommands({});
+  if (all.empty()) return "";
+  std::string text = "\nSubcommands:\n";
+  for (CLI::App const* command : all) text += entry(command->get_name(), command->get_description());
+  return text;
 }
 
-std::string HelpInColumns::make_footer(CLI::App const* app) const {
-  std::string text;
-  for (std::string const& line : lines_of(app->get_footer())) {
+std::string HelpInColumns::footer(CLI::App const& app) const {
+  std::string text = "\n";
+  for (std::string const& line : lines_of(app.get_footer())) {
     std::size_t const command = command_in(line);
     text += command > 0 ? command_lines(line, command, columns_) : hanging_lines("", line, 0, columns_);
   }
   return text;
 }
 
-CLI::Validator one_of_words(std::vector<std::string> const& words) {
-  return CLI::Validator(
-      [words](std::string& found) {
-        bool const is_known = std::find(words.begin(), words.end(), found) != words.end();
-        return is_known ? "" : fmt::format("found '{}', expected {}", found, one_of(found, words));
-      },
-      "");
+std::string HelpInColumns::make_help(CLI::App const* app, std::string name, CLI::AppFormatMode) const {
+  return hanging_lines("", app->get_description(), 0, columns_) + hanging_lines("", "Usage: " + usage_of(*app, name), 4, columns_) +
+         subcommands(*app) + entries("Arguments", arguments_of(*app)) + entries("Options", options_of(*app)) + footer(*app) +
+         hanging_lines("", "Manual: man " + manual_of(*app), 0, columns_);
 }
 
 }  // namespace sphverify

@@ -6,7 +6,7 @@
 
 #include "harness/cli/catalogue.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/cli/help.hpp"
+#include "harness/cli/option_facts.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
 #include "reports/table/number_text.hpp"
@@ -57,9 +57,9 @@ void list(ListOptions const& options) {
 void add_list(CLI::App& app) {
   auto options = std::make_shared<ListOptions>();
   CLI::App* command = app.add_subcommand("list", "What there is, one line each: identifier, title, source");
-  command
-      ->add_option("kind", options->kind, "formulations, cases, kernels, walls, viscosities, layouts or measures; all by default")
-      ->check(one_of_words(catalogue_kinds()));
+  take_one_of(command->add_option("KIND", options->kind,
+                                  "formulations, cases, kernels, walls, viscosities, layouts or measures; all by default"),
+              catalogue_kinds());
   command->add_flag("--json", options->json, "As a JSON document");
   command->footer("Example: sphverify list cases --json");
   command->callback([options] { list(*options); });

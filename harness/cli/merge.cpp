@@ -47,8 +47,9 @@ void add_merge(CLI::App& app) {
   auto command = std::make_shared<MergeCommand>();
   CLI::App* sub = app.add_subcommand("merge", "Puts the parts of a study together, with orders over all of them");
   sub->add_option("PART.json", command->parts, "Results of `study --part K/M`, all parts of one study")->required();
-  sub->add_option("-o,--output", command->output, "Where the results go; standard output by default");
-  sub->add_option("--missing", command->missing, "Where the study of the runs goes that no part has; its results are a part, too");
+  sub->add_option("-o,--output", command->output, "Where the results go; standard output by default")->type_name("FILE");
+  sub->add_option("--missing", command->missing, "Where the study of the runs goes that no part has; its results are a part, too")
+      ->type_name("FILE");
   sub->footer(
       "Parts must be of this build of the program. Times of two machines are never compared.\n"
       "Example: sphverify merge part-*.json -o results.json");

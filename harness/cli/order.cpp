@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
-#include "harness/cli/help.hpp"
+#include "harness/cli/option_facts.hpp"
 #include "harness/measure/ladder_table.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
@@ -104,12 +104,14 @@ void add_order(CLI::App& app) {
          "there are replicates, every other an error (empty or nan: the run failed); levels differ by 1e-6 "
          "or more of themselves; - is standard input")
       ->required();
-  sub->add_option("--format", command->format, "table or json")->check(one_of_words({"table", "json"}));
+  take_one_of(sub->add_option("--format", command->format, "How the answer is written [table]"), {"table", "json"});
   sub->add_option("--target", command->targets,
                   "Errors whose N (1/spacing) is wanted, in the columns' unit; default: 0.01 0.001")
-      ->check(CLI::Range(1e-300, 1e300));
+      ->check(CLI::Range(1e-300, 1e300))
+      ->type_name("ERROR");
   sub->add_option("--allowed", command->allowed, "Highest order that the solution allows; default: any")
-      ->check(CLI::Range(1e-3, 100.0));
+      ->check(CLI::Range(1e-3, 100.0))
+      ->type_name("ORDER");
   sub->footer(
       "Of a results document: N, seed and one of l1, l2, linf of one ladder of `compare --section levels`; "
       "its "

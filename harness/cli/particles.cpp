@@ -6,7 +6,7 @@
 #include "cases/exact/require.hpp"
 #include "harness/cli/case_parameters.hpp"
 #include "harness/cli/commands.hpp"
-#include "harness/cli/help.hpp"
+#include "harness/cli/option_facts.hpp"
 #include "harness/codes/initial_snapshot.hpp"
 #include "harness/codes/snapshot_options.hpp"
 #include "harness/scene/choices.hpp"
@@ -89,17 +89,21 @@ void add_particles(CLI::App& app) {
   auto command = std::make_shared<ParticlesCommand>();
   CLI::App* sub = app.add_subcommand("particles", "Writes a case's initial particles for another code");
   sub->add_option("CASE", command->case_id, "A case from `sphverify list cases`")->required();
-  sub->add_option("-p,--parameter", command->parameters, "NAME=VALUE; VALUE is JSON or a bare word; may be repeated")
+  sub->add_option("-p,--parameter", command->parameters, "VALUE is JSON or a bare word")
       ->take_all()
-      ->allow_extra_args(false);
+      ->allow_extra_args(false)
+      ->type_name("NAME=VALUE");
   sub->add_option("-n,--resolution", command->resolution, "Particles along the first axis")
       ->required()
-      ->check(CLI::Range(1, 100'000'000));
-  sub->add_option("--layout", command->layout, "A word, or JSON such as {\"id\": \"glass\", \"seed\": 1} [lattice]");
-  sub->add_option("--smoothing-ratio", command->smoothing_ratio, "h/dx, of the kernel below [1.2]");
-  sub->add_option("--kernel", command->kernel, "Whose support h is for [cubic-spline]")->check(one_of_words(kernel_words()));
-  sub->add_option("--format", command->format, "csv, hdf5, swift or pysph [csv]")->check(one_of_words(initial_formats));
-  sub->add_option("-o,--output", command->output, "The file; - for standard output")->required();
+      ->check(CLI::Range(1, 100'000'000))
+      ->type_name("N");
+  sub->add_option("--layout", command->layout, "A word, or JSON such as {\"id\": \"glass\", \"seed\": 1} [lattice]")->type_name("LAYOUT");
+  sub->add_option("--smoothing-ratio", command->smoothing_ratio, "h/dx, of the kernel below [1.2]")->type_name("RATIO");
+  sub->add_option("--kernel", command->kernel, "Whose support h is for [cubic-spline]")
+      ->check(one_of_words(kernel_words()))
+      ->type_name("KERNEL");
+  take_one_of(sub->add_option("--format", command->format, "How they are written [csv]"), initial_formats);
+  sub->add_option("-o,--output", command->output, "The file; - for standard output")->required()->type_name("FILE");
   sub->footer(
       "FILE.case.json, beside it, says domain, walls and what they prescribe, final time and parameters.\n"
       "Example: sphverify particles hydro/riemann --resolution 100 -o sod.csv");

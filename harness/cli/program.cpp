@@ -41,15 +41,14 @@ void require_known_command(CLI::App const& app, int argc, char** argv) {
 
 }  // namespace
 
-int program_main(int argc, char** argv, Program const& program) {
-  set_program_name(program.name);
-  CLI::App app{
+std::unique_ptr<CLI::App> command_line(std::string_view program) {
+  auto app = std::make_unique<CLI::App>(
       fmt::format("{} runs formulations of smoothed particle hydrodynamics with walls on cases that have "
                   "an exact solution, and reports errors, observed orders, conservation, cost and stability as JSON.",
-                  program.name),
-      std::string(program.name)};
-  app.formatter(std::make_shared<HelpInColumns>());
-  app.footer(
+                  program),
+      std::string(program));
+  app->formatter(std::make_shared<HelpInColumns>());
+  app->footer(
       fmt::format("Examples:\n"
                   "  {0} list formulations\n"
                   "  {0} describe conduction/brookshaw\n"
@@ -58,35 +57,37 @@ int program_main(int argc, char** argv, Program const& program) {
                   "  {0} gate results.json gates.json --junit gates.xml\n"
                   "  {0} report results.json -o report.html\n"
                   "Exit status: 0 done, 1 a gate failed, 2 wrong input, 3 the program or the machine failed.",
-                  program.name));
-  app.require_subcommand(1);
-  app.set_version_flag("--version", [] {
-    Context const context = current_context();
-    std::string const ours = fmt::format("sphverify {} ({})", context.version, context.commit);
-    return context.program == "sphverify" ? ours : fmt::format("{}, made with {}", context.program, ours);
-  });
-  add_list(app);
-  add_describe(app);
-  add_study(app);
-  add_merge(app);
-  add_repeat(app);
-  add_compare(app);
-  add_gate(app);
-  add_report(app);
-  add_evaluate(app);
-  add_exact(app);
-  add_order(app);
-  add_claims(app);
-  add_particles(app);
-  add_assess(app);
+                  program));
+  app->require_subcommand(1);
+  app->set_version_flag("--version", version_text, "Print version, build and licence and exit");
+  add_study(*app);
+  add_compare(*app);
+  add_report(*app);
+  add_gate(*app);
+  add_list(*app);
+  add_describe(*app);
+  add_merge(*app);
+  add_repeat(*app);
+  add_evaluate(*app);
+  add_exact(*app);
+  add_order(*app);
+  add_claims(*app);
+  add_particles(*app);
+  add_assess(*app);
+  return app;
+}
+
+int program_main(int argc, char** argv, Program const& program) {
+  set_program_name(program.name);
+  auto const app = command_line(program.name);
 
   try {
     if (program.add_parts) program.add_parts();
-    require_known_command(app, argc, argv);
-    app.parse(argc, argv);
+    require_known_command(*app, argc, argv);
+    app->parse(argc, argv);
     return exit_done;
   } catch (CLI::ParseError const& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) return app->exit(error);
     return complain(exit_user_error, fmt::format("{} (see {} --help)", error.what(), program.name));
   } catch (GateFailed const&) {
     return exit_gate_failed;

@@ -111,7 +111,7 @@ void add_repeat(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("repeat", "Carries out one run of a results document again");
   sub->add_option("RESULTS.json", command->document, "The results document")->required();
   sub->add_option("RUN", command->run, "Which of its runs, counted from 0")->required();
-  sub->add_option("-o,--output", command->output, "Where the run's record goes; standard output by default");
+  sub->add_option("-o,--output", command->output, "Where the run's record goes; standard output by default")->type_name("FILE");
   sub->footer(
       "Says on standard error how the run ended then and now, and how its numbers but the times agree: "
       "to the bit with the same build and machine. Exit status 0 either way.\n"

@@ -33,7 +33,7 @@ void add_report(CLI::App& app) {
   CLI::App* sub =
       app.add_subcommand("report", "One HTML page with verdicts, plots and tables; needs no network");
   sub->add_option("RESULTS.json", command->documents, "Results documents")->required();
-  sub->add_option("-o,--output", command->output, "Where the page goes; standard output by default");
+  sub->add_option("-o,--output", command->output, "Where the page goes; standard output by default")->type_name("FILE");
   sub->footer(
       "Several documents are shown one after another; their run times are not compared.\n"
       "Example: sphverify report results.json -o report.html");

@@ -74,11 +74,13 @@ void add_study(CLI::App& app) {
   auto command = std::make_shared<StudyCommand>();
   CLI::App* sub = app.add_subcommand("study", "Runs every combination of a study document");
   sub->add_option("STUDY.json", command->document, "The study; - for standard input")->required();
-  sub->add_option("-o,--output", command->options.output, "Where the results go; standard output by default");
+  sub->add_option("-o,--output", command->options.output, "Where the results go; standard output by default")->type_name("FILE");
   sub->add_option("-j,--jobs", command->options.jobs, "Runs at a time, by default one per core; under mpirun or srun of each rank, by default one")
-      ->check(CLI::Range(1, 1 << 16));
+      ->check(CLI::Range(1, 1 << 16))
+      ->type_name("N");
   sub->add_flag("--resume", command->options.resume, "Take up the journal that an interrupted study left");
-  sub->add_option("--part", command->part, "K/M: the K-th of M parts of the runs that take about equally long; `merge` puts them together");
+  sub->add_option("--part", command->part, "The K-th of M parts of the runs that take about equally long; `merge` puts them together")
+      ->type_name("K/M");
   sub->footer(
       "Finished runs are kept in RESULTS.json.journal until the results are written.\n"
       "Under mpirun or srun the ranks share the runs, and rank 0 writes.\n"

@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "harness/codes/csv.hpp"
+#include "reports/json/places.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify {
@@ -28,7 +29,7 @@ constexpr std::array<std::string_view, 5> placed{"x", "y", "z", "m", "h"};
 
 std::string_view without_blanks(std::string_view text) {
   std::size_t const first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
+  if (first == std::string_view::npos) return text.substr(text.size());  // empty, but still somewhere
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
@@ -102,7 +103,8 @@ class Reader {
     while (!rest.empty()) {
       ++line_;
       std::size_t const end = std::min(rest.find('\n'), rest.size());
-      std::string_view const line = without_blanks(rest.substr(0, end));
+      raw_line_ = rest.substr(0, end);
+      std::string_view const line = without_blanks(raw_line_);
       rest.remove_prefix(std::min(end + 1, rest.size()));
       if (line.empty()) continue;
       if (line.front() == '#') {
@@ -139,8 +141,10 @@ class Reader {
     return std::move(text).str();
   }
 
-  [[noreturn]] void complain(std::string const& key, std::string const& found, std::string const& expected) const {
-    throw UserError(fmt::format("{}:{}", path_, line_), key, found, expected);
+  /// @param what the piece of the line that is complained of
+  [[noreturn]] void complain(std::string_view what, std::string const& key, std::string const& found, std::string const& expected) const {
+    std::size_t const at = static_cast<std::size_t>(what.data() - raw_line_.data());
+    throw UserError(place_text(path_, {line_, place_in(raw_line_, at).column}), key, found, expected);
   }
 
   /// "time = 0.05" among words.
@@ -152,7 +156,7 @@ class Reader {
       if (!after.starts_with('=') && !after.starts_with(':')) continue;
       auto const number = number_in(trimmed(after.substr(1)));
       if (!number || !std::isfinite(*number))
-        complain(std::string(name), fmt::format("'{}'", after.substr(1)), "a number");
+        complain(after.substr(1), std::string(name), fmt::format("'{}'", after.substr(1)), "a number");
       *value = *number;
     }
   }
@@ -160,12 +164,12 @@ class Reader {
   void read_names(std::string_view line) {
     auto const cells = cells_of(line);
     if (cells.size() == 1 && line.find(';') != std::string_view::npos)
-      complain("", "names with ';' between them", "commas");
+      complain(line.substr(line.find(';')), "", "names with ';' between them", "commas");
     if (std::all_of(cells.begin(), cells.end(), [](auto const& cell) { return number_in(cell).has_value(); }))
-      complain("", "numbers", "a line of names first, such as x,vx,m,rho");
+      complain(line, "", "numbers", "a line of names first, such as x,vx,m,rho");
     std::set<std::string_view> seen;
     for (auto const& cell : cells) {
-      if (!cell.empty() && !seen.insert(cell).second) complain("", fmt::format("'{}' twice", cell), "every name once");
+      if (!cell.empty() && !seen.insert(cell).second) complain(cell, "", fmt::format("'{}' twice", cell), "every name once");
     }
     for (SnapshotColumn const& column : snapshot_columns) {
       auto const named = names_.find(std::string(column.name));
@@ -174,14 +178,14 @@ class Reader {
       if (found != cells.end()) {
         wanted_.push_back({std::string(column.name), static_cast<std::size_t>(found - cells.begin())});
       } else if (named != names_.end()) {
-        complain("map", fmt::format("no column '{}'", name), one_of(name, {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), most_candidates))}));
+        complain(line, "map", fmt::format("no column '{}'", name), one_of(name, {cells.begin(), cells.begin() + static_cast<std::ptrdiff_t>(std::min(cells.size(), most_candidates))}));
       }
     }
     if (wanted_.empty()) {
       std::vector<std::string> known;
       for (SnapshotColumn const& column : snapshot_columns) known.emplace_back(column.name);
       bool const has_units = line.find('[') != std::string_view::npos || line.find('(') != std::string_view::npos;
-      complain("", fmt::format("names {}{}", line.substr(0, most_shown), line.size() > most_shown ? "..." : ""),
+      complain(line, "", fmt::format("names {}{}", line.substr(0, most_shown), line.size() > most_shown ? "..." : ""),
                fmt::format("{}{}", one_of(cells.front().substr(0, most_shown), known), has_units ? " without units; `map` says which is which" : ""));
     }
     width_ = cells.size();
@@ -203,13 +207,13 @@ class Reader {
     // Some programs end every line with one more comma.
     bool const ends_with_comma = cell == width_ + 1 && line.back() == ',';
     if (cell != width_ && !ends_with_comma) {
-      complain("", fmt::format("{} values", cell),
+      complain(line, "", fmt::format("{} values", cell),
                fmt::format("{}, one per name{}", width_,
                            cell > width_ ? " (a comma in place of a decimal point?)" : " (was the file cut short?)"));
     }
     for (std::size_t k = 0; k < wanted_.size(); ++k) {
       auto const value = number_in(row_[k]);
-      if (!value) complain(wanted_[k].column, fmt::format("'{}'", row_[k]), "a number");
+      if (!value) complain(row_[k], wanted_[k].column, fmt::format("'{}'", row_[k]), "a number");
       snapshot_.columns.at(wanted_[k].column).push_back(*value);
       wanted_[k].digits.see(row_[k]);
     }
@@ -220,6 +224,7 @@ class Reader {
   Snapshot snapshot_{.file = path_, .format = "csv"};
   std::vector<Wanted> wanted_;
   std::vector<std::string_view> row_;
+  std::string_view raw_line_;
   std::size_t line_ = 0, width_ = 0;
 };
 

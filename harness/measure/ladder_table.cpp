@@ -13,6 +13,7 @@
 #include <set>
 #include <string_view>
 
+#include "reports/json/places.hpp"
 #include "reports/user_error.hpp"
 
 namespace sphverify {
@@ -35,21 +36,29 @@ struct Place {
   std::string const& file;
   std::size_t line;
   std::string column;
+  std::size_t character = 1;  ///< of the line, at which it begins
 
   [[noreturn]] void complain(std::string const& found, std::string const& expected) const {
-    throw UserError(fmt::format("{}:{}", file, line), column, found, expected);
+    throw UserError(place_text(file, {line, character}), column, found, expected);
   }
+  Place at(std::size_t another) const { return {file, line, column, another}; }
+};
+
+struct TableCell {
+  std::string text;
+  std::size_t character;
 };
 
 /// The cell that begins at `from`, which is moved behind the comma after it. Within quotation marks a comma
 /// is text, and two marks are one.
-std::string next_cell(std::string const& line, std::size_t& from, Place const& place) {
+TableCell next_cell(std::string const& line, std::size_t& from, Place const& place) {
   std::size_t const first = line.find_first_not_of(" \t", from);
+  std::size_t const character = place_in(line, first).column;  // of an empty cell that of the comma after it, or the end
   if (first == std::string::npos || line[first] != '"') {
     std::size_t const to = std::min(line.find(',', from), line.size());
     std::string const cell = trimmed(line.substr(from, to - from));
     from = to + 1;
-    return cell;
+    return {cell, character};
   }
   std::string cell;
   std::size_t k = first + 1;
@@ -59,18 +68,20 @@ std::string next_cell(std::string const& line, std::size_t& from, Place const& p
   }
   std::size_t const to = std::min(line.find(',', k), line.size());
   if (k >= line.size() || !trimmed(line.substr(k + 1, to - k - 1)).empty())
-    place.complain("'" + trimmed(line.substr(first)) + "'", "a quotation mark at either end of a cell");
+    place.at(character).complain("'" + trimmed(line.substr(first)) + "'", "a quotation mark at either end of a cell");
   from = to + 1;
-  return trimmed(cell);
+  return {trimmed(cell), character};
 }
 
-std::vector<std::string> cells_of(std::string const& line, Place const& place) {
-  std::vector<std::string> cells;
+std::vector<TableCell> cells_of(std::string const& line, Place const& place) {
+  std::vector<TableCell> cells;
   for (std::size_t from = 0; from <= line.size();) cells.push_back(next_cell(line, from, place));
   return cells;
 }
 
-std::optional<double> number_in(std::string const& cell, Place const& place) {
+std::optional<double> number_in(TableCell const& one, Place const& of_line) {
+  std::string const& cell = one.text;
+  Place const place = of_line.at(one.character);
   if (cell.empty() || cell == "nan" || cell == "NaN") return std::nullopt;
   double value = 0.0;
   char const* const begin = cell.data() + (cell.front() == '+' ? 1 : 0);
@@ -87,12 +98,14 @@ struct Header {
   std::optional<std::size_t> seed;
 };
 
-Header read_header(std::vector<std::string> const& names, Place const& place) {
+Header read_header(std::vector<TableCell> const& cells, Place const& of_line) {
   Header header;
-  header.names = names;
+  for (TableCell const& cell : cells) header.names.push_back(cell.text);
+  std::vector<std::string> const& names = header.names;
   std::set<std::string> seen;
   std::optional<std::size_t> spacing;
   for (std::size_t k = 0; k < names.size(); ++k) {
+    Place const place = of_line.at(cells[k].character);
     if (std::any_of(names[k].begin(), names[k].end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }))
       place.complain("a name with control characters or letters beyond ASCII", "plain words");
     if (names[k].empty()) place.complain("a column without a name", "a name for each column");
@@ -104,10 +117,10 @@ Header read_header(std::vector<std::string> const& names, Place const& place) {
     header.is_resolution = names[k] == "N";
   }
   if (!spacing)
-    place.complain(fmt::format("'{}'", names.front()), "names, N or spacing among them, with commas between");
+    of_line.complain(fmt::format("'{}'", names.front()), "names, N or spacing among them, with commas between");
   header.spacing = *spacing;
   if (names.size() < (header.seed ? 3u : 2u))
-    place.complain("no column of errors", "one or more beside N or spacing");
+    of_line.complain("no column of errors", "one or more beside N or spacing");
   return header;
 }
 
@@ -142,7 +155,7 @@ std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string cons
   for (std::size_t number = 1; std::getline(text, line); ++number) {
     if (number == 1 && line.starts_with(byte_order_mark)) line.erase(0, byte_order_mark.size());
     if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    std::vector<std::string> const cells = cells_of(line, {file, number, "columns"});
+    std::vector<TableCell> const cells = cells_of(line, {file, number, "columns"});
     if (!header) {
       header = read_header(cells, {file, number, "names"});
       errors.resize(cells.size());
@@ -152,29 +165,30 @@ std::vector<LadderColumn> read_ladder_table(std::istream& text, std::string cons
       Place{file, number, "columns"}.complain(
           fmt::format("{}", cells.size()), fmt::format("{}, as in the line of names", header->names.size()));
     }
-    Place const of_spacing{file, number, header->names[header->spacing]};
-    auto const given = number_in(cells[header->spacing], of_spacing);
+    TableCell const& n_or_spacing = cells[header->spacing];
+    Place const of_spacing{file, number, header->names[header->spacing], n_or_spacing.character};
+    auto const given = number_in(n_or_spacing, of_spacing);
     if (!given || *given < smallest || *given > largest)
-      of_spacing.complain("'" + cells[header->spacing] + "'", "a number above 0, from 1e-30 to 1e30");
+      of_spacing.complain("'" + n_or_spacing.text + "'", "a number above 0, from 1e-30 to 1e30");
     double const spacing = header->is_resolution ? 1.0 / *given : *given;
     if (header->seed) {
       auto const seed = number_in(cells[*header->seed], {file, number, "seed"});
       if (!runs.emplace(spacing, seed.value_or(0.0)).second)
-        Place{file, number, "seed"}.complain("'" + cells[*header->seed] + "' twice at one spacing",
+        Place{file, number, "seed", cells[*header->seed].character}.complain("'" + cells[*header->seed].text + "' twice at one spacing",
                                              "each seed once");
     } else if (!runs.emplace(spacing, 0.0).second) {
-      of_spacing.complain("'" + cells[header->spacing] + "' twice", "each once, or a column seed");
+      of_spacing.complain("'" + n_or_spacing.text + "' twice", "each once, or a column seed");
     }
     for (std::size_t k = 0; k < cells.size(); ++k) {
       if (k == header->spacing || (header->seed && k == *header->seed)) continue;
-      Place const place{file, number, header->names[k]};
+      Place const place{file, number, header->names[k], cells[k].character};
       auto const error = number_in(cells[k], place);
       Replicates& level = errors[k][spacing];
       if (!error) {
         level.is_whole = false;
         continue;
       }
-      if (*error < 0.0) place.complain("'" + cells[k] + "'", "an error, 0 or larger");
+      if (*error < 0.0) place.complain("'" + cells[k].text + "'", "an error, 0 or larger");
       level.errors.push_back(*error);
     }
   }

@@ -11,8 +11,8 @@
 
 namespace sphverify {
 
-/// Progress of a study on standard error: a bar that redraws itself on a terminal, plain lines otherwise (at
-/// most one every few seconds). May be told by several threads.
+/// Progress of a study on standard error: a bar that redraws itself on a terminal, plain lines otherwise, as a log wants
+/// them: after 5 s, and then ever more rarely. May be told by several threads.
 class Progress {
  public:
   /// @param runs those taken over from a journal are finished before
@@ -24,9 +24,12 @@ class Progress {
   void paused(std::size_t run);
   /// @param more_seconds what a paused run has taken since
   void finished(std::size_t run, std::string const& what, double more_seconds = 0.0);
+  /// Time has passed, and perhaps no run has ended in it: says how things stand when it is time to. Call it about
+  /// every second.
+  void passed();
 
  private:
-  void draw(std::string const& what);
+  void draw();
 
   using Time = std::chrono::steady_clock::time_point;
   std::vector<RunProgress> runs_;
@@ -34,8 +37,12 @@ class Progress {
   int at_a_time_;
   std::size_t done_;
   bool terminal_;
+  std::string last_{};  ///< the run that ended last
   Time start_, last_line_;
   std::mutex mutex_;
 };
+
+/// How long a log is silent between two lines of a study that has gone on for so long [s].
+double seconds_between_lines(double seconds_so_far);
 
 }  // namespace sphverify

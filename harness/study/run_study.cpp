@@ -6,11 +6,14 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <iterator>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <numeric>
+#include <thread>
 #include <type_traits>
 
 #include "formulations/basics/fork_join.hpp"
@@ -82,6 +85,32 @@ void choose_runs(Study& study, StudyOptions const& options, Expansion& expansion
   pick(*study.runs, chosen);
 }
 
+/// Tells the progress that time passes, as long as it lives.
+class Pulse {
+ public:
+  explicit Pulse(Progress& progress)
+      : thread_([this, &progress] {
+          std::unique_lock lock(mutex_);
+          while (!over_.wait_for(lock, std::chrono::seconds(1), [this] { return is_over_; })) progress.passed();
+        }) {}
+  ~Pulse() {
+    {
+      std::scoped_lock const lock(mutex_);
+      is_over_ = true;
+    }
+    over_.notify_one();
+    thread_.join();
+  }
+  Pulse(Pulse const&) = delete;
+  Pulse& operator=(Pulse const&) = delete;
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable over_;
+  bool is_over_ = false;
+  std::thread thread_;  // begins when all above is there
+};
+
 /// Carries out all runs that the journal does not have, several at a time, in this process.
 /// @return all of them, by their place in the journal
 std::map<std::size_t, RunRecord> run_here(SharedStudy const& shared, int jobs, Journal* journal, Progress& progress) {
@@ -111,6 +140,7 @@ std::map<std::size_t, RunRecord> run_here(SharedStudy const& shared, int jobs, J
                         if (journal) journal->append(place, record);
                         note(place, std::move(record));
                       }};
+  Pulse const pulse(progress);
   ForkJoin loop;
   tbb::task_arena arena(jobs);
   arena.execute([&] {
@@ -155,6 +185,8 @@ void put_in_order(Study const& study, std::vector<RunSpec> const& specs, std::ma
 }  // namespace
 
 void run_study(Study study, StudyOptions const& options) {
+  Results results;
+  results.context = current_context();
   require_writable(options.output);
   bool const to_file = options.output != "-";
   if (options.resume && !to_file)
@@ -178,8 +210,6 @@ void run_study(Study study, StudyOptions const& options) {
   if (to_file && rank.number == 0) journal = std::make_unique<Journal>(options.output + ".journal", document, options.resume);
 
   if (journal) remove_unfinished(options.output);
-  Results results;
-  results.context = current_context();
   results.study = whole.dump();
   results.part = study.runs;
   results.skipped = expansion.skipped;

@@ -135,6 +135,7 @@ class Coordinator {
 
   /// Waits for whatever comes next, at most a second.
   void look_around() {
+    progress_.passed();
     std::vector<pollfd> waits{{meeting_place_.file(), POLLIN, 0}};
     for (Worker const& worker : workers_) waits.push_back({worker.channel.file(), POLLIN, 0});
     if (poll(waits.data(), waits.size(), 1000) < 0) return;

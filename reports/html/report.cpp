@@ -56,9 +56,13 @@ std::string title_of(std::vector<NamedResults> const& documents) {
 
 }  // namespace
 
+bool can_write_page() {
+  return !page_resource("node_modules/d3/dist/d3.min.js").empty() &&
+         !page_resource("node_modules/@observablehq/plot/dist/plot.umd.min.js").empty();
+}
+
 std::string report_page(std::vector<NamedResults> const& documents, std::set<std::string> const& controls) {
-  if (page_resource("node_modules/d3/dist/d3.min.js").empty() ||
-      page_resource("node_modules/@observablehq/plot/dist/plot.umd.min.js").empty()) {
+  if (!can_write_page()) {
     throw std::runtime_error(
         "report: built without the plotting library: run tools/install-packages, or "
         "`npm ci --ignore-scripts` in reports/page, and build again");

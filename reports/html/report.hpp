@@ -9,6 +9,9 @@
 
 namespace sphverify {
 
+/// Whether the program was built with the plotting library of the page.
+bool can_write_page();
+
 /// One self-contained HTML page that shows the documents one after another: verdicts, plots, tables. It needs
 /// no network. Throws std::runtime_error if the program was built without the plotting library.
 /// @param controls formulations that are yardsticks: shown apart, never recommended

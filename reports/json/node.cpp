@@ -11,6 +11,7 @@
 #include <iterator>
 
 #include "reports/json/case_number.hpp"
+#include "reports/json/places.hpp"
 #include "reports/json/syntax.hpp"
 #include "reports/printable.hpp"
 
@@ -31,9 +32,9 @@ Json read_json_file(std::string const& path) {
     throw UserError(path, "", "an empty file", "a JSON document");
   }
   if (auto const error = find_syntax_error(text)) {
-    throw UserError(path, fmt::format("line {}, column {}", error->line, error->column), error->found,
-                    error->expected);
+    throw UserError(place_text(path, {error->line, error->column}), "", error->found, error->expected);
   }
+  note_json_file(path);
   try {
     return Json::parse(text);
   } catch (Json::exception const& error) {

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "reports/json/places.hpp"
 #include "reports/printable.hpp"
 
 namespace sphverify {
@@ -48,22 +49,12 @@ class Scanner {
   };
 
   [[noreturn]] void refuse(std::size_t at, std::string found, std::string expected) const {
-    auto const [line, column] = place(at);
+    auto const [line, column] = place_in(text_, at);
     throw SyntaxError{line, column, std::move(found), std::move(expected)};
   }
 
-  std::pair<std::size_t, std::size_t> place(std::size_t at) const {
-    std::string_view const before = text_.substr(begin_, std::min(at, text_.size()) - std::min(at, begin_));
-    std::size_t const line = 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-    std::string_view const last = before.substr(before.rfind('\n') + 1);  // all of it where there is none
-    // Bytes that go on with a character of UTF-8 are no columns of their own.
-    auto const columns = std::count_if(
-        last.begin(), last.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
-    return {line, 1 + static_cast<std::size_t>(columns)};
-  }
-
   std::string where(std::size_t at) const {
-    auto const [line, column] = place(at);
+    auto const [line, column] = place_in(text_, at);
     return fmt::format("line {}, column {}", line, column);
   }
 

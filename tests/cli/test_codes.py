@@ -391,7 +391,7 @@ class Assess(Codes):
             (good[2:], ["bad.csv:1", "a line of names first"]),
             ([good[0], "x,m"] + [line[: line.rindex(",")] for line in good[2:]], ["no field that the case compares", "T"]),
             ([good[0], "x,T"] + [line[: line.index(",")] + ",1" for line in good[2:]], ["m: found nothing"]),
-            (["# time = soon"] + good[1:], ["bad.csv:1: time", "soon"]),
+            (["# time = soon"] + good[1:], ["bad.csv:1:9: time", "soon"]),
             (good[1:], ["snapshots[0].time", "nothing"]),
         ):
             with_lines(lines)

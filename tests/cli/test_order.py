@@ -126,7 +126,7 @@ class Order(ProgramTest):
         for header in ('N,"l2', 'N,"l2"x'):
             done = order(f"{header}\n10,0.1\n20,0.05\n")
             self.assertEqual(done.returncode, USER_ERROR, done.stderr)
-            self.assertIn(":1: columns: ", done.stderr)
+            self.assertIn(":1:3: columns: ", done.stderr)
             self.assertIn("quotation mark", done.stderr)
 
     def test_levels_that_hardly_differ_are_refused(self):

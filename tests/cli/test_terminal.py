@@ -221,8 +221,20 @@ class OffATerminal(ProgramTest):
         self.assertNotRegex(result.stderr, r"[\r\x1b]")
         lines = result.stderr.splitlines()
         self.assertEqual(lines[0], f"{RUNS} runs")
-        self.assertTrue(lines[-1].startswith(f"{RUNS}/{RUNS} runs"), lines)
+        self.assertRegex(lines[-1], rf"^{RUNS}/{RUNS} runs \(100%\), \d+ s$")
         self.assertLess(len(lines), 10, "a line every few seconds, not one per run")
+
+    def test_a_log_hears_of_a_run_that_takes_long_before_it_ends(self):
+        code = {"id": "external/slow", "command": ["sh", "-c", "sleep 7", "{initial}", "{final}"]}
+        study = self.write("study.json", small_study(formulations=[code], resolution=[8]))
+        result = self.run_program("study", study, "-o", self.folder / "results.json")
+        self.assertEqual(result.returncode, DONE, result.stderr)
+        lines = result.stderr.splitlines()
+        self.assertEqual(lines[0], "1 runs")
+        self.assertRegex(lines[1], r"^0/1 runs \(0%\), \d+ s$")
+        self.assertEqual([line for line in lines[2:] if re.match(r"\d+/\d+ runs", line)], lines[2:3])
+        self.assertRegex(lines[2], r"^1/1 runs \(100%\), \d+ s$")
+        self.assertNotRegex(result.stderr, r"[\r\x1b]")
 
     def test_a_study_of_which_nothing_can_run_says_so_and_why(self):
         study = self.write("study.json", small_study(formulations=["momentum/p-rho2", "momentum/sqrt-p"]))
@@ -230,9 +242,10 @@ class OffATerminal(ProgramTest):
         self.assertEqual(result.returncode, USER_ERROR)
         results = strict_json(result.stdout)
         self.assertEqual((len(results["skipped"]), results["runs"]), (2, []))
+        column = 1 + study.read_text().index('"formulations"')
         self.assertEqual(
             result.stderr,
-            f"sphverify: {study}: formulations: found nothing to run: all of its 2 combinations are skipped (the first: "
+            f"sphverify: {study}:1:{column}: formulations: found nothing to run: all of its 2 combinations are skipped (the first: "
             "momentum/p-rho2 on conduction/slab-dirichlet: a momentum form has no rate on a "
             "conduction case), expected a combination that makes sense\n",
         )

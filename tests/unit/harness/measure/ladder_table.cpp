@@ -39,7 +39,7 @@ BOOST_AUTO_TEST_CASE(a_complaint_names_file_line_column_found_and_expected) {
     read("N,e\n10,0.1\n20,0,05\n");
     BOOST_ERROR("taken");
   } catch (UserError const& error) {
-    BOOST_TEST(std::string(error.what()) == "t.csv:3: columns: found 3, expected 2, as in the line of names");
+    BOOST_TEST(std::string(error.what()) == "t.csv:3:1: columns: found 3, expected 2, as in the line of names");
   }
 }
 

@@ -1,14 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Run at every build: writes OUTPUT, a header that says what is being built, if it changed.
-find_program(GIT_PROGRAM git)
-set(commit "unknown")
-if(GIT_PROGRAM AND EXISTS "${SOURCE_DIR}/.git")
-  execute_process(COMMAND "${GIT_PROGRAM}" -C "${SOURCE_DIR}" describe --always --dirty --abbrev=12
-                  OUTPUT_VARIABLE described OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failed)
-  if(NOT failed)
-    set(commit "${described}")
-  endif()
-endif()
+include("${CMAKE_CURRENT_LIST_DIR}/DescribeCommit.cmake")
+sphverify_describe_commit("${SOURCE_DIR}" commit date)
 file(CONFIGURE OUTPUT "${OUTPUT}" @ONLY CONTENT [=[
 #pragma once
 

@@ -27,7 +27,7 @@ def names_below(folder, pattern="*"):
     return {str(path.relative_to(folder)) for path in folder.rglob(pattern) if path.is_file()}
 
 
-@unittest.skipUnless(all(map(shutil.which, ("cpack", "dpkg-deb", "dpkg-shlibdeps"))), "dpkg-dev is not installed")
+@unittest.skipUnless(all(map(shutil.which, ("cpack", "dpkg-deb", "dpkg-shlibdeps", "file"))), "dpkg-dev or file is not installed")
 class Packages(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

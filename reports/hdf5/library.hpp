@@ -15,6 +15,9 @@ std::mutex& library();
 /// The library tells of every failure on standard error unless it is asked not to.
 void be_quiet();
 
+/// What a file in memory is called: the library refuses the name of one that exists, and this one cannot.
+inline constexpr char const* in_memory = "/dev/null/in-memory";
+
 /// Closes what the library opened.
 template <herr_t (*close)(hid_t)>
 class Handle {

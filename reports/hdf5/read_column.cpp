@@ -259,7 +259,7 @@ Column read_hdf5_file(std::string bytes, std::string const& path) {
     H5Pset_fapl_core(access, step, false);
     H5Pset_file_image(access, bytes.data(), size);
     bytes = {};
-    file = File(H5Fopen("results", H5F_ACC_RDONLY, access));
+    file = File(H5Fopen(in_memory, H5F_ACC_RDONLY, access));
   }
   if (!file.is_open()) throw UserError(path, "", "an HDF5 file that cannot be opened (cut short?)", "a whole one");
   Column document;

@@ -202,7 +202,7 @@ std::string hdf5_file(Column const& document) {
   be_quiet();
   Properties const access(H5Pcreate(H5P_FILE_ACCESS));
   H5Pset_fapl_core(access, memory_step, false);
-  File const file(H5Fcreate("results", H5F_ACC_TRUNC, H5P_DEFAULT, access));
+  File const file(H5Fcreate(in_memory, H5F_ACC_TRUNC, H5P_DEFAULT, access));
   require(file.is_open(), "results");
   // Of 2016 on: checksums over all but the numbers, which deflating gives theirs, and chunks without trees. The file itself
   // begins as before: of a newer beginning 1.10 gives away an image with a wrong checksum.

@@ -12,6 +12,7 @@
 #include "harness/gate/write_verdicts.hpp"
 #include "harness/terminal.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/write_results.hpp"
 
 namespace sphverify {
 
@@ -47,7 +48,7 @@ void rebaseline(Gates const& gates, GateCommand const& command) {
   Rebaseline const plan = plan_rebaseline(gates, results, command.results);
   write_document("-", rebaseline_text(plan));
   for (std::string const& path : plan.paths) {
-    write_document(path, document_text(to_json(results)));
+    write_results(path, results, format_of_file(path));
     write_document("-", "written: " + path + "\n");
   }
 }

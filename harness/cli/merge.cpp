@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/option_facts.hpp"
 #include "harness/study/merge.hpp"
 #include "harness/study/say.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/write_results.hpp"
 
 namespace sphverify {
 
@@ -17,10 +19,12 @@ namespace {
 struct MergeCommand {
   std::vector<std::string> parts;
   std::string output = "-";
+  std::string format = "json";
   std::string missing;
 };
 
 void merge(MergeCommand const& command) {
+  ResultsFormat const format = results_format(command.format, "merge");
   std::vector<NamedPart> parts;
   for (std::string const& file : command.parts) {
     require_writable(command.output, file);
@@ -31,7 +35,7 @@ void merge(MergeCommand const& command) {
   }
   Merged const merged = merge_parts(std::move(parts));
   if (merged.missing.empty()) {
-    write_document(command.output, document_text(to_json(merged.results)));
+    write_results(command.output, merged.results, format);
     say_how_it_went(merged.results.runs);
     return;
   }
@@ -48,6 +52,7 @@ void add_merge(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("merge", "Puts the parts of a study together, with orders over all of them");
   sub->add_option("PART.json", command->parts, "Results of `study --part K/M`, all parts of one study")->required();
   sub->add_option("-o,--output", command->output, "Where the results go; standard output by default")->type_name("FILE");
+  take_results_format(*sub, command->format);
   sub->add_option("--missing", command->missing, "Where the study of the runs goes that no part has; its results are a part, too")
       ->type_name("FILE");
   sub->footer(

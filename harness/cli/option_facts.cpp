@@ -79,6 +79,10 @@ CLI::Option* take_one_of(CLI::Option* option, std::vector<std::string> const& wo
   return option->type_name(fmt::format("{}", fmt::join(words, "|")))->check(one_of_words(words));
 }
 
+void take_results_format(CLI::App& command, std::string& format) {
+  take_one_of(command.add_option("--format", format, "How the results are written; the names are the same [json]"), {"json", "hdf5"});
+}
+
 std::vector<std::string> words_of(OptionFacts const& option) {
   std::vector<std::string> words;
   if (option.takes.find('|') == std::string::npos) return words;

@@ -36,6 +36,9 @@ CLI::Validator one_of_words(std::vector<std::string> const& words);
 /// Lets an option take one of these words alone, and shows them in place of its value.
 CLI::Option* take_one_of(CLI::Option* option, std::vector<std::string> const& words);
 
+/// --format of a command that writes results.
+void take_results_format(CLI::App& command, std::string& format);
+
 /// The words that an option takes alone; none where it takes something else.
 std::vector<std::string> words_of(OptionFacts const& option);
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "harness/cli/commands.hpp"
+#include "harness/cli/option_facts.hpp"
 #include "harness/study/no_effect.hpp"
 #include "harness/study/ranks.hpp"
 #include "harness/study/run_study.hpp"
@@ -18,6 +19,7 @@ namespace {
 struct StudyCommand {
   std::string document;
   std::string part;
+  std::string format = "json";
   StudyOptions options;
 };
 
@@ -36,6 +38,7 @@ void stop_on_signals() {
 void carry_out_study(StudyCommand const& command) {
   require_writable(command.options.output, command.document);
   StudyOptions options = command.options;
+  options.format = results_format(command.format, "study");
   if (!command.part.empty()) options.part = read_part(command.part);
   Json const json = read_json_file(command.document);
   Node const document(json, command.document);
@@ -75,6 +78,7 @@ void add_study(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("study", "Runs every combination of a study document");
   sub->add_option("STUDY.json", command->document, "The study; - for standard input")->required();
   sub->add_option("-o,--output", command->options.output, "Where the results go; standard output by default")->type_name("FILE");
+  take_results_format(*sub, command->format);
   sub->add_option("-j,--jobs", command->options.jobs, "Runs at a time, by default one per core; under mpirun or srun of each rank, by default one")
       ->check(CLI::Range(1, 1 << 16))
       ->type_name("N");

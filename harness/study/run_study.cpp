@@ -34,6 +34,7 @@
 #include "harness/study/say.hpp"
 #include "harness/study/shared_study.hpp"
 #include "reports/json/results_json.hpp"
+#include "reports/write_results.hpp"
 
 namespace sphverify {
 
@@ -248,7 +249,7 @@ void run_study(Study study, StudyOptions const& options) {
     results.series = build_series(results.runs, own_cores());
     results.surfaces = build_surfaces(results.runs);
   }
-  write_document(options.output, document_text(to_json(results)));
+  write_results(options.output, results, options.format);
   if (journal) journal->remove();
   if (!makes_sense) {
     throw UserError(options.document, "formulations", why_nothing_ran(expansion.skipped),

@@ -8,12 +8,14 @@
 #include "harness/study/parts.hpp"
 #include "harness/study/study.hpp"
 #include "reports/results.hpp"
+#include "reports/write_results.hpp"
 
 namespace sphverify {
 
 struct StudyOptions {
   std::string document = "study";  ///< name of the study's file, for what is said of it
   std::string output = "-";        ///< where the results go
+  ResultsFormat format = ResultsFormat::json;
   int jobs = 0;                    ///< runs at a time; 0: as many as cores allow
   bool resume = false;
   std::optional<Part> part;        ///< of its runs; empty: all

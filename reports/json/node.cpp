@@ -17,7 +17,7 @@
 
 namespace sphverify {
 
-Json read_json_file(std::string const& path) {
+std::string read_file(std::string const& path) {
   std::string text;
   if (path == "-") {
     text.assign(std::istreambuf_iterator<char>(std::cin), {});
@@ -31,6 +31,10 @@ Json read_json_file(std::string const& path) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) {
     throw UserError(path, "", "an empty file", "a JSON document");
   }
+  return text;
+}
+
+Json parse_json(std::string const& text, std::string const& path) {
   if (auto const error = find_syntax_error(text)) {
     throw UserError(place_text(path, {error->line, error->column}), "", error->found, error->expected);
   }
@@ -41,6 +45,8 @@ Json read_json_file(std::string const& path) {
     throw UserError(path, "", fmt::format("what its parser refuses: {}", error.what()), "a JSON document");
   }
 }
+
+Json read_json_file(std::string const& path) { return parse_json(read_file(path), path); }
 
 std::string Node::describe() const {
   std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);

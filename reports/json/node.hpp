@@ -17,6 +17,9 @@ using Json = nlohmann::ordered_json;
 /// Reads and parses a file; `-` is standard input. Throws UserError, with line and column of what is not
 /// JSON.
 Json read_json_file(std::string const& path);
+/// The two halves of it.
+std::string read_file(std::string const& path);
+Json parse_json(std::string const& text, std::string const& path);
 
 /// A place in a user's document that knows its file and key, so that every complaint can name them. All reads
 /// throw UserError when they find something else.

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <functional>
+#include <utility>
+
+#include "reports/hdf5.hpp"
 #include "reports/json/checked_numbers.hpp"
 #include "reports/json/lists_json.hpp"
 #include "reports/json/results_json.hpp"
@@ -293,38 +299,79 @@ Context read_context(Node const& node) {
 
 }  // namespace
 
-Results read_results(std::string const& path) {
-  Json const json = read_json_file(path);
-  Node const node(json, path);
-  node.require_schema("sphverify-results/1");
+namespace {
+
+using Entry = std::function<void(Node const&)>;
+/// Calls back with each entry of one of the document's lists; returns whether the document has it.
+using Lists = std::function<bool(std::string const& list, Entry const& entry)>;
+
+Results results_of(Node const& document, Lists const& lists) {
+  document.require_schema("sphverify-results/1");
+  auto const read_list = [&](char const* list, Entry const& entry) {
+    if (!lists(list, entry)) throw UserError(document.file(), list, "nothing", "this key");
+  };
   Results results;
-  results.context = read_context(node.at("context"));
-  results.study = node.at("study").json().dump();
-  if (auto const part = node.find("part")) {
+  results.context = read_context(document.at("context"));
+  results.study = document.at("study").json().dump();
+  if (auto const part = document.find("part")) {
     results.part.emplace();
     for (Node const& run : part->at("runs").elements()) results.part->push_back(count(run));
   }
-  if (auto const shares = node.find("shares")) {
-    for (Node const& share : shares->elements())
-      results.shares.push_back({read_context(share.at("context")), count(share.at("runs"))});
-  }
-  for (Node const& run : node.at("runs").elements()) results.runs.push_back(read_run(run));
-  for (Node const& series : node.at("series").elements()) {
+  lists("shares", [&](Node const& share) { results.shares.push_back({read_context(share.at("context")), count(share.at("runs"))}); });
+  read_list("runs", [&](Node const& run) { results.runs.push_back(read_run(run)); });
+  read_list("series", [&](Node const& series) {
     results.series.push_back(read_series(series));
     for (std::size_t const run : results.series.back().runs) {
       if (run >= results.runs.size()) series.at("runs").complain("indices of runs in this document");
     }
-  }
-  if (auto const surfaces = node.find("surfaces")) {
-    for (Node const& surface : surfaces->elements()) results.surfaces.push_back(read_surface(surface));
-  }
-  for (Node const& s : node.at("skipped").elements()) {
+  });
+  lists("surfaces", [&](Node const& surface) { results.surfaces.push_back(read_surface(surface)); });
+  read_list("skipped", [&](Node const& s) {
     results.skipped.push_back({s.at("case").string(), s.at("formulation").string(), s.at("reason").string()});
-  }
-  if (auto const envelopes = node.find("envelopes")) {
-    for (Node const& envelope : envelopes->elements()) results.envelopes.push_back(read_envelope(envelope));
-  }
+  });
+  lists("envelopes", [&](Node const& envelope) { results.envelopes.push_back(read_envelope(envelope)); });
   return results;
+}
+
+Results results_of(Json const& json, std::string const& path) {
+  Node const document(json, path);
+  return results_of(document, [&](std::string const& list, Entry const& entry) {
+    auto const found = document.find(list);
+    if (found) {
+      for (Node const& node : found->elements()) entry(node);
+    }
+    return found.has_value();
+  });
+}
+
+/// Entries become JSON one after the other, which takes less memory than all of them together.
+Results results_of(Column const& columns, std::string const& path) {
+  auto const is_list = [](Column const& column) { return column.kind == Column::Kind::list && column.is_full(); };
+  Json top = Json::object();
+  for (auto const& [key, column] : columns.members) {
+    if (!is_list(column)) top[key] = column.row(0);
+  }
+  return results_of(Node(top, path), [&](std::string const& list, Entry const& entry) {
+    auto const found = columns.members.find(list);
+    if (found == columns.members.end()) return false;
+    if (!is_list(found->second)) Node(top, path).at(list).complain("a list");
+    Column const& entries = found->second.elements.front();
+    for (std::size_t k = 0; k < entries.rows(); ++k) {
+      Json const json = entries.row(k);
+      entry(Node(json, path, fmt::format("{}[{}]", list, k)));
+    }
+    return true;
+  });
+}
+
+}  // namespace
+
+Results read_results(std::string const& path) {
+  std::string bytes = read_file(path);
+  if (is_hdf5(bytes)) return results_of(read_hdf5_file(std::move(bytes), path), path);
+  Json const json = parse_json(bytes, path);
+  bytes = {};
+  return results_of(json, path);
 }
 
 Results read_whole_results(std::string const& path) {

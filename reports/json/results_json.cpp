@@ -208,6 +208,10 @@ Json to_json(Envelope const& e) {
   return json;
 }
 
+Json to_json(Share const& share) { return {{"context", to_json(share.context)}, {"runs", share.runs}}; }
+
+Json to_json(Skipped const& s) { return {{"case", s.case_id}, {"formulation", s.formulation}, {"reason", s.reason}}; }
+
 Json to_json(Series const& s) {
   Json json = {{"case", s.case_id}, {"parameters", parameters_json(s.parameters)}};
   put_formulation(json, s.formulation);
@@ -379,31 +383,33 @@ Json to_json(RunRecord const& r) {
   return json;
 }
 
-Json to_json(Results const& results) {
+Json top_json(Results const& results) {
   Json json = {{"schema", "sphverify-results/1"},
                {"context", to_json(results.context)},
                {"study", Json::parse(results.study)}};
   if (results.part) json["part"] = {{"runs", *results.part}};
-  if (!results.shares.empty()) {
-    json["shares"] = Json::array();
-    for (Share const& share : results.shares)
-      json["shares"].push_back({{"context", to_json(share.context)}, {"runs", share.runs}});
-  }
-  json["runs"] = Json::array();
-  for (RunRecord const& run : results.runs) json["runs"].push_back(to_json(run));
-  json["series"] = Json::array();
-  for (Series const& series : results.series) json["series"].push_back(to_json(series));
-  if (!results.surfaces.empty()) {
-    json["surfaces"] = Json::array();
-    for (Surface const& surface : results.surfaces) json["surfaces"].push_back(to_json(surface));
-  }
-  json["skipped"] = Json::array();
-  for (Skipped const& s : results.skipped) {
-    json["skipped"].push_back({{"case", s.case_id}, {"formulation", s.formulation}, {"reason", s.reason}});
-  }
-  if (!results.envelopes.empty()) {
-    json["envelopes"] = Json::array();
-    for (Envelope const& envelope : results.envelopes) json["envelopes"].push_back(to_json(envelope));
+  return json;
+}
+
+std::vector<ResultsList> lists_of(Results const& results) {
+  std::vector<ResultsList> lists;
+  auto const add = [&](char const* name, auto const& entries) {
+    lists.push_back({name, entries.size(), [&entries](std::size_t k) { return to_json(entries[k]); }});
+  };
+  if (!results.shares.empty()) add("shares", results.shares);
+  add("runs", results.runs);
+  add("series", results.series);
+  if (!results.surfaces.empty()) add("surfaces", results.surfaces);
+  add("skipped", results.skipped);
+  if (!results.envelopes.empty()) add("envelopes", results.envelopes);
+  return lists;
+}
+
+Json to_json(Results const& results) {
+  Json json = top_json(results);
+  for (ResultsList const& list : lists_of(results)) {
+    Json& entries = json[list.name] = Json::array();
+    for (std::size_t k = 0; k < list.size; ++k) entries.push_back(list.entry(k));
   }
   return json;
 }

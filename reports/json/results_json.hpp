@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "reports/json/node.hpp"
 #include "reports/results.hpp"
@@ -10,6 +12,16 @@ namespace sphverify {
 
 /// The results document, sphverify-results/1.
 Json to_json(Results const& results);
+
+/// What it is put together from: what stands there once, and its lists, in their order.
+struct ResultsList {
+  char const* name;
+  std::size_t size;
+  std::function<Json(std::size_t)> entry;
+};
+Json top_json(Results const& results);
+std::vector<ResultsList> lists_of(Results const& results);
+
 Json to_json(RunRecord const& run);
 Json to_json(Cost const& cost);
 Json to_json(ObservedOrder const& order);
@@ -29,6 +41,7 @@ FormulationChoice read_formulation(Node const& node);
 Discretisation read_discretisation(Node const& node);
 RunRecord read_run(Node const& node);
 Cost read_cost(Node const& node);
+/// Of JSON or HDF5, as the file's content is.
 Results read_results(std::string const& path);
 /// The same of what has orders and tables: throws UserError for a part of a study.
 Results read_whole_results(std::string const& path);

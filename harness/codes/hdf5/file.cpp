@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <mutex>
 #include <numeric>
 
 #include "harness/codes/snapshot.hpp"
@@ -17,20 +16,6 @@ namespace sphverify::hdf5 {
 
 namespace {
 
-/// The library tells of every failure on standard error unless it is asked not to.
-void be_quiet() {
-  static std::once_flag once;
-  std::call_once(once, [] { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); });
-}
-
-using Group = Handle<H5Gclose>;
-using Object = Handle<H5Oclose>;
-using Attribute = Handle<H5Aclose>;
-using Set = Handle<H5Dclose>;
-using Type = Handle<H5Tclose>;
-using Space = Handle<H5Sclose>;
-using Properties = Handle<H5Pclose>;
-
 bool is_number(hid_t type) {
   H5T_class_t const kind = H5Tget_class(type);
   return kind == H5T_INTEGER || kind == H5T_FLOAT;
@@ -38,15 +23,10 @@ bool is_number(hid_t type) {
 
 }  // namespace
 
-std::mutex& library() {
-  static std::mutex mutex;
-  return mutex;
-}
-
 InputFile::InputFile(std::string const& path) : path_(path) {
   be_quiet();
   Properties const access(H5Pcreate(H5P_FILE_ACCESS));
-  file_ = Handle<H5Fclose>(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access));
+  file_ = File(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access));
   if (!file_.is_open()) throw UserError(path, "", "an HDF5 file that cannot be opened (cut short?)", "a whole one");
 }
 
@@ -185,7 +165,7 @@ DataSet InputFile::read(std::string const& place) const {
 
 OutputFile::OutputFile(std::string const& path) : path_(path) {
   be_quiet();
-  file_ = Handle<H5Fclose>(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
+  file_ = File(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
   if (!file_.is_open()) throw UserError(path, "", "a place that cannot be written", "a file that can");
 }
 
@@ -255,7 +235,7 @@ void OutputFile::attribute(std::string const& place, std::string const& name, st
 
 void OutputFile::close() {
   bool const is_whole = H5Fflush(file_, H5F_SCOPE_GLOBAL) >= 0;
-  file_ = Handle<H5Fclose>();
+  file_ = File();
   if (!is_whole) throw UserError(path_, "", "a file that cannot be written", "room for it");
 }
 

@@ -1,39 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <hdf5.h>
-
-#include <mutex>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
+
+#include "reports/hdf5/library.hpp"
 
 // HDF5 files by the library of that name. Throw UserError, which names the file and the place in it.
 namespace sphverify::hdf5 {
-
-/// Held by whoever uses the library, which may not be built for several threads.
-std::mutex& library();
-
-/// Closes what the library opened.
-template <herr_t (*close)(hid_t)>
-class Handle {
- public:
-  explicit Handle(hid_t id = -1) : id_(id) {}
-  ~Handle() {
-    if (id_ >= 0) close(id_);
-  }
-  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)) {}
-  Handle& operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    return *this;
-  }
-  operator hid_t() const { return id_; }
-  bool is_open() const { return id_ >= 0; }
-
- private:
-  hid_t id_;
-};
 
 /// Numbers of a data set, row by row.
 struct DataSet {
@@ -63,7 +38,7 @@ class InputFile {
   void require_own_storage(hid_t set, std::string const& place) const;
 
   std::string path_;
-  Handle<H5Fclose> file_;
+  File file_;
 };
 
 class OutputFile {
@@ -79,7 +54,7 @@ class OutputFile {
 
  private:
   std::string path_;
-  Handle<H5Fclose> file_;
+  File file_;
 };
 
 }  // namespace sphverify::hdf5

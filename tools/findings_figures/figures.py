@@ -11,18 +11,18 @@ from .plots import Series
 
 @dataclasses.dataclass
 class Figure:
-    study: str  # in cases/studies
-    draw: typing.Callable  # takes its results document
+    studies: tuple  # in cases/studies
+    draw: typing.Callable  # takes their results documents
 
 
 FIGURES = {}
 
 
-def figure(study):
+def figure(*studies):
     """Lists a function under its name, heat_walls_1d as heat-walls-1d."""
 
     def add(draw):
-        FIGURES[draw.__name__.replace("_", "-")] = Figure(study, draw)
+        FIGURES[draw.__name__.replace("_", "-")] = Figure(studies, draw)
         return draw
 
     return add
@@ -183,3 +183,42 @@ def spectrum(document):
     axes[0].set_ylabel("fastest growth [K/(rho dx^2)]")
     style.legend(drawn, columns=3)
     return drawn
+
+
+def gas(name, look, formulation, smoothing="adaptive"):
+    weight = "voronoi" if formulation == "voronoi" else "kernel"
+    return Series(name, look, formulation=f"momentum/{formulation}", smoothing=smoothing, pair_weight=weight)
+
+
+GAS = [gas("P/rho^2, one h", 0, "p-rho2", "uniform"), gas("P/rho^2", 1, "p-rho2"),
+       gas("pressure-energy", 2, "pressure-energy"), gas("grad-h terms", 3, "p-rho2-grad-h"),
+       gas("corrected gradients", 4, "rkgc"), gas("faces of cells", 5, "voronoi")]
+
+
+def gas_against_time(scenes, forms, norm="l1"):
+    """A panel for each scene, {title: (its documents, traits, field)}: error against processor time."""
+    drawn, axes = style.panels(len(scenes))
+    for panel, (title, (documents, where, field)) in zip(axes, scenes.items()):
+        runs = {"runs": [run for document in documents for run in document["runs"]]}
+        where = {"closure": "one-sided", "layout": "lattice", **where}
+        table = [form for form in forms if results.select(runs["runs"], **where, **form.traits)]
+        plots.curves(panel, runs, table, where, y=results.error(field, norm), x=results.processor_seconds)
+        panel.set(xscale="log", yscale="log", xlabel="processor time [s]", title=title)
+        style.plain_numbers(panel.xaxis)
+        style.plain_numbers(panel.yaxis)
+    axes[0].set_ylabel(f"{norm} error, relative")
+    style.legend(drawn, columns=3)
+    return drawn
+
+
+@figure("gas-time-1d", "gas-time-2d", "gas-time-3d", "voronoi-gas-1d", "voronoi-gas-2d")
+def gas_time(in_1d, in_2d, in_3d, cells_1d, cells_2d):
+    where = {"case": "hydro/piston-velocity"}
+    return gas_against_time({"1D": ([in_1d, cells_1d], where, "velocity"), "2D": ([in_2d, cells_2d], where, "velocity"),
+                             "3D": ([in_3d], where, "velocity")}, GAS)
+
+
+@figure("gas-time-1d", "gas-time-2d", "voronoi-gas-1d")
+def gas_time_noh(in_1d, in_2d, cells_1d):
+    where = {"case": "hydro/noh"}
+    return gas_against_time({"1D": ([in_1d, cells_1d], where, "density"), "2D": ([in_2d], where, "density")}, GAS)

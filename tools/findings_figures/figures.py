@@ -204,7 +204,7 @@ def gas_against_time(scenes, forms, norm="l1"):
         table = [form for form in forms if results.select(runs["runs"], **where, **form.traits)]
         plots.curves(panel, runs, table, where, y=results.error(field, norm), x=results.processor_seconds)
         panel.set(xscale="log", yscale="log", xlabel="processor time [s]", title=title)
-        style.plain_numbers(panel.xaxis)
+        style.plain_numbers(panel.xaxis, style.decades(panel.get_xlim()))
         style.plain_numbers(panel.yaxis)
     axes[0].set_ylabel(f"{norm} error, relative")
     style.legend(drawn, columns=3)

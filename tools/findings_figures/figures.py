@@ -11,18 +11,18 @@ from .plots import Series
 
 @dataclasses.dataclass
 class Figure:
-    study: str  # in cases/studies
-    draw: typing.Callable  # takes its results document
+    studies: tuple  # in cases/studies
+    draw: typing.Callable  # takes their results documents
 
 
 FIGURES = {}
 
 
-def figure(study):
+def figure(*studies):
     """Lists a function under its name, heat_walls_1d as heat-walls-1d."""
 
     def add(draw):
-        FIGURES[draw.__name__.replace("_", "-")] = Figure(study, draw)
+        FIGURES[draw.__name__.replace("_", "-")] = Figure(studies, draw)
         return draw
 
     return add
@@ -183,3 +183,42 @@ def spectrum(document):
     axes[0].set_ylabel("fastest growth [K/(rho dx^2)]")
     style.legend(drawn, columns=3)
     return drawn
+
+
+def gas(name, look, formulation, smoothing="adaptive"):
+    weight = "voronoi" if formulation == "voronoi" else "kernel"
+    return Series(name, look, formulation=f"momentum/{formulation}", smoothing=smoothing, pair_weight=weight)
+
+
+GAS = [gas("P/rho^2, one h", 0, "p-rho2", "uniform"), gas("P/rho^2", 1, "p-rho2"),
+       gas("pressure-energy", 2, "pressure-energy"), gas("grad-h terms", 3, "p-rho2-grad-h"),
+       gas("corrected gradients", 4, "rkgc"), gas("faces of cells", 5, "voronoi")]
+
+
+KERNEL_GAS = GAS[:-1]  # in Noh's problem cells have no wall to end at beyond 1D; in 3D they were not driven
+
+
+def gas_against_time(scenes, field, **where):
+    """A panel for each scene, {title: (its documents, its forms)}: error against processor time."""
+    drawn, axes = style.panels(len(scenes))
+    for panel, (title, (documents, table)) in zip(axes, scenes.items()):
+        runs = {"runs": [run for document in documents for run in document["runs"]]}
+        plots.curves(panel, runs, table, {"closure": "one-sided", **where}, y=results.error(field, "l1"),
+                     x=results.processor_seconds)
+        panel.set(xscale="log", yscale="log", xlabel="processor time [s]", title=title)
+        style.plain_numbers(panel.xaxis, style.decades(panel.get_xlim()))
+        style.plain_numbers(panel.yaxis)
+    axes[0].set_ylabel("l1 error, relative")
+    style.legend(drawn, columns=3)
+    return drawn
+
+
+@figure("gas-time-1d", "gas-time-2d", "gas-time-3d", "voronoi-gas-1d", "voronoi-gas-2d")
+def gas_time(in_1d, in_2d, in_3d, cells_1d, cells_2d):
+    return gas_against_time({"1D": ([in_1d, cells_1d], GAS), "2D": ([in_2d, cells_2d], GAS), "3D": ([in_3d], KERNEL_GAS)},
+                            "velocity", case="hydro/piston-velocity")
+
+
+@figure("gas-time-1d", "gas-time-2d", "voronoi-gas-1d")
+def gas_time_noh(in_1d, in_2d, cells_1d):
+    return gas_against_time({"1D": ([in_1d, cells_1d], GAS), "2D": ([in_2d], KERNEL_GAS)}, "density", case="hydro/noh")

@@ -29,6 +29,7 @@ class Series:
 
 def curves(axes, document, table, where, along="resolution", y=None, x=None, middle=results.geometric_mean):
     """A curve for each series, a band from the least to the largest over seeds, a cross where runs broke."""
+    rows = 0  # of crosses
     for index, series in enumerate(table):
         points = series.points(document, where, along=along, y=y or results.error(), x=x, middle=middle)
         shown = [point for point in points if math.isfinite(point.x) and math.isfinite(point.y)]
@@ -39,8 +40,9 @@ def curves(axes, document, table, where, along="resolution", y=None, x=None, mid
             axes.fill_between([p.x for p in shown], [p.low for p in shown], [p.high for p in shown],
                               color=look["color"], alpha=0.15, linewidth=0)
         broken = [point.x for point in points if point.broken and math.isfinite(point.x)]
-        # One row for each series.
-        cross(axes, broken, [1.0 - 0.045 * index] * len(broken), look["color"], axes.get_xaxis_transform())
+        # One row for each series of which a run broke.
+        cross(axes, broken, [1.0 - 0.045 * rows] * len(broken), look["color"], axes.get_xaxis_transform())
+        rows += bool(broken)
 
 
 def cross(axes, x, y, colour, transform):

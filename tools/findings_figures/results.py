@@ -86,6 +86,11 @@ def seconds(run):
     return (run["cost"] or {}).get("median_seconds")
 
 
+def processor_seconds(run):
+    """Of the fastest repeat; what other work on the machine took does not count."""
+    return (run["cost"] or {}).get("cpu_seconds")
+
+
 def energy_made(run):
     """Size of what pairs of particles made or lost of the energy, over what was there; at least a rounding of it."""
     energy = run["conservation"]["energy"]

@@ -2,6 +2,7 @@
 """How figures look, and how they are written: text as text, ink in the reader's colour, the same bytes every time."""
 
 import io
+import math
 import re
 
 import matplotlib
@@ -71,6 +72,13 @@ def plain_numbers(axis, numbers=None):
     if numbers:
         axis.set_major_locator(matplotlib.ticker.FixedLocator(numbers))
         axis.set_minor_locator(matplotlib.ticker.NullLocator())
+
+
+def decades(limits):
+    """Powers of ten within limits, for narrow panels; none where they are less than two, so that others are labelled."""
+    first, last = (math.log10(limit) for limit in limits)
+    powers = [10.0 ** power for power in range(math.ceil(first), math.floor(last) + 1)]
+    return powers if len(powers) > 1 else None
 
 
 def tidy(value):

@@ -84,8 +84,10 @@ void add_gate(CLI::App& app) {
   CLI::App* sub = app.add_subcommand("gate", "Judges results against limits; exit status 1 if one fails");
   sub->add_option("RESULTS.json", command->results, "Results document; - for standard input")->required();
   sub->add_option("GATES.json", command->gates, "Gates document; - for standard input")->required();
-  auto* junit = sub->add_option("--junit", command->junit, "Writes the verdicts as JUnit XML")->type_name("FILE");
-  auto* markdown = sub->add_option("--markdown", command->markdown, "Writes a summary in Markdown")->type_name("FILE");
+  auto* junit =
+      sub->add_option("--junit", command->junit, "Writes the verdicts as JUnit XML")->type_name("FILE");
+  auto* markdown =
+      sub->add_option("--markdown", command->markdown, "Writes a summary in Markdown")->type_name("FILE");
   sub->add_flag("--rebaseline", command->rebaseline,
                 "Judges nothing: prints old, new and difference of every gate that has "
                 "a baseline, then overwrites the baseline files with RESULTS.json")

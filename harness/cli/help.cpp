@@ -50,11 +50,13 @@ std::string command_lines(std::string const& line, std::size_t start, std::size_
 std::string usage_of(CLI::App const& command, std::string const& name) {
   std::string text = name;
   auto const options = options_of(command);
-  if (std::any_of(options.begin(), options.end(), [](OptionFacts const& one) { return !one.is_required; })) text += " [OPTIONS]";
+  if (std::any_of(options.begin(), options.end(), [](OptionFacts const& one) { return !one.is_required; }))
+    text += " [OPTIONS]";
   for (OptionFacts const& one : options) {
     if (one.is_required) text += " " + one.names.front() + " " + one.takes;
   }
-  for (OptionFacts const& one : arguments_of(command)) text += one.is_required ? " " + one.head() : " [" + one.head() + "]";
+  for (OptionFacts const& one : arguments_of(command))
+    text += one.is_required ? " " + one.head() : " [" + one.head() + "]";
   if (!command.get_subcommands({}).empty()) text += " SUBCOMMAND";
   return text;
 }
@@ -106,8 +108,9 @@ std::string HelpInColumns::footer(CLI::App const& app) const {
 }
 
 std::string HelpInColumns::make_help(CLI::App const* app, std::string name, CLI::AppFormatMode) const {
-  return hanging_lines("", app->get_description(), 0, columns_) + hanging_lines("", "Usage: " + usage_of(*app, name), 4, columns_) +
-         subcommands(*app) + entries("Arguments", arguments_of(*app)) + entries("Options", options_of(*app)) + footer(*app) +
+  return hanging_lines("", app->get_description(), 0, columns_) +
+         hanging_lines("", "Usage: " + usage_of(*app, name), 4, columns_) + subcommands(*app) +
+         entries("Arguments", arguments_of(*app)) + entries("Options", options_of(*app)) + footer(*app) +
          hanging_lines("", "Manual: man " + manual_of(*app), 0, columns_);
 }
 

@@ -53,14 +53,16 @@ OptionFacts facts_of(CLI::Option const& option) {
 
 std::vector<OptionFacts> arguments_of(CLI::App const& command) {
   std::vector<OptionFacts> all;
-  for (CLI::Option const* option : command.get_options([](CLI::Option const* one) { return one->get_positional(); }))
+  for (CLI::Option const* option :
+       command.get_options([](CLI::Option const* one) { return one->get_positional(); }))
     all.push_back(facts_of(*option));
   return all;
 }
 
 std::vector<OptionFacts> options_of(CLI::App const& command) {
   auto options = command.get_options([](CLI::Option const* one) { return one->nonpositional(); });
-  std::stable_sort(options.begin(), options.end(), [](auto const* a, auto const* b) { return rank_of(*a) < rank_of(*b); });
+  std::stable_sort(options.begin(), options.end(),
+                   [](auto const* a, auto const* b) { return rank_of(*a) < rank_of(*b); });
   std::vector<OptionFacts> all;
   for (CLI::Option const* option : options) all.push_back(facts_of(*option));
   return all;

@@ -22,7 +22,8 @@ std::string instruction_sets() {
 std::string version_text() {
   Context const build = build_context();
   std::string const ours = fmt::format("sphverify {} ({})", build.version, build.commit);
-  std::string const name = build.program == "sphverify" ? ours : fmt::format("{}, made with {}", build.program, ours);
+  std::string const name =
+      build.program == "sphverify" ? ours : fmt::format("{}, made with {}", build.program, ours);
   auto const yes_or_no = [](bool yes) { return yes ? "yes" : "no"; };
   return fmt::format(
       "{}\n"
@@ -33,8 +34,8 @@ std::string version_text() {
       "page of report: {}\n"
       "Licence GPL-3.0-or-later: free software, which you may change and pass on.\n"
       "There is NO WARRANTY, to the extent that the law permits.",
-      name, build.compiler, build_type(), build.flags.starts_with(' ') ? "" : " ", build.flags, instruction_sets(),
-      yes_or_no(can_read_hdf5()), yes_or_no(can_write_page()));
+      name, build.compiler, build_type(), build.flags.starts_with(' ') ? "" : " ", build.flags,
+      instruction_sets(), yes_or_no(can_read_hdf5()), yes_or_no(can_write_page()));
 }
 
 }  // namespace sphverify

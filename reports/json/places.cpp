@@ -30,7 +30,9 @@ class Walker {
     skip_space();
     std::size_t found = at_;
     while (!key.empty()) {
-      std::size_t const rest = peek() == '{' ? enter_object(key, found) : peek() == '[' ? enter_list(key, found) : key.size();
+      std::size_t const rest = peek() == '{'   ? enter_object(key, found)
+                               : peek() == '[' ? enter_list(key, found)
+                                               : key.size();
       if (is_lost_) return std::string_view::npos;
       if (rest == key.size()) break;
       key = key.substr(key.size() - rest);
@@ -85,12 +87,13 @@ class Walker {
   std::string name_here() {
     std::size_t const from = at_;
     skip_string();
-    auto const name = nlohmann::json::parse(text_.substr(from, std::min(at_, text_.size()) - from), nullptr, false);
+    auto const name =
+        nlohmann::json::parse(text_.substr(from, std::min(at_, text_.size()) - from), nullptr, false);
     return name.is_string() ? name.get<std::string>() : std::string();
   }
 
-  /// To the value of the member that a key begins with. Of a name with a dot in it the key does not tell where it ends:
-  /// the longest that fits is meant.
+  /// To the value of the member that a key begins with. Of a name with a dot in it the key does not tell
+  /// where it ends: the longest that fits is meant.
   /// @return how much of the key is left; all of it where there is no such member
   std::size_t enter_object(std::string_view key, std::size_t& found) {
     std::string_view const step = key.substr(key.front() == '.' ? 1 : 0);
@@ -105,7 +108,8 @@ class Walker {
       skip_space();
       ++at_;  // the colon
       skip_space();
-      bool const fits = step.starts_with(name) && (step.size() == name.size() || step[name.size()] == '.' || step[name.size()] == '[');
+      bool const fits = step.starts_with(name) &&
+                        (step.size() == name.size() || step[name.size()] == '.' || step[name.size()] == '[');
       if (fits && name.size() > best) {
         best = name.size();
         found = here;
@@ -122,8 +126,9 @@ class Walker {
   std::size_t enter_list(std::string_view key, std::size_t& found) {
     std::size_t const close = key.find(']');
     std::string_view const digits = key.substr(1, std::min(close, key.size()) - 1);
-    bool const is_index = key.front() == '[' && close != std::string_view::npos && !digits.empty() && digits.size() < 10 &&
-                          std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
+    bool const is_index =
+        key.front() == '[' && close != std::string_view::npos && !digits.empty() && digits.size() < 10 &&
+        std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
     if (!is_index) return key.size();
     ++at_;
     skip_space();
@@ -158,12 +163,14 @@ TextPlace place_in(std::string_view text, std::size_t at) {
   auto const line = std::count(before.begin(), before.end(), '\n');
   std::string_view const last = before.substr(before.rfind('\n') + 1);  // all of it where there is none
   // Bytes that go on with a character of UTF-8 are no columns of their own.
-  auto const columns =
-      std::count_if(last.begin(), last.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+  auto const columns = std::count_if(last.begin(), last.end(),
+                                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
   return {1 + static_cast<std::size_t>(line), 1 + static_cast<std::size_t>(columns)};
 }
 
-std::string place_text(std::string_view file, TextPlace place) { return fmt::format("{}:{}:{}", file, place.line, place.column); }
+std::string place_text(std::string_view file, TextPlace place) {
+  return fmt::format("{}:{}:{}", file, place.line, place.column);
+}
 
 std::optional<TextPlace> place_of_key(std::string_view json, std::string_view key) {
   std::size_t const at = Walker(json).find(key);

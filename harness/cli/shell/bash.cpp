@@ -11,7 +11,8 @@ namespace {
 
 using Kind = Candidates::Kind;
 
-constexpr char const* head = R"bash(# Completion of sphverify for bash, made by the build from the program's own options.
+constexpr char const* head =
+    R"bash(# Completion of sphverify for bash, made by the build from the program's own options.
 # A program with parts of its own is completed likewise, parts included: complete -F _sphverify my-verify
 
 )bash";
@@ -127,12 +128,14 @@ std::string bash_completion(CLI::App const& app) {
     for (OptionFacts const& one : options_of(*command)) {
       if (one.takes.empty()) continue;
       std::vector<std::string> patterns;
-      for (std::string const& spelling : one.names) patterns.push_back(fmt::format("'{} {}'", name, spelling));
+      for (std::string const& spelling : one.names)
+        patterns.push_back(fmt::format("'{} {}'", name, spelling));
       values += fmt::format("    {}) takes='{}' ;;\n", fmt::join(patterns, " | "), takes(one));
     }
     int place = 0;
     for (OptionFacts const& one : arguments_of(*command)) {
-      std::string const pattern = one.is_list ? fmt::format("'{} '[0-9]*", name) : fmt::format("'{} {}'", name, ++place);
+      std::string const pattern =
+          one.is_list ? fmt::format("'{} '[0-9]*", name) : fmt::format("'{} {}'", name, ++place);
       values += fmt::format("    {}) takes='{}' ;;\n", pattern, takes(one));
     }
   }

@@ -42,9 +42,10 @@ Candidates candidates_of(OptionFacts const& option) {
   }
   auto const found = known().find(option.takes);
   if (found == known().end())
-    throw std::logic_error(fmt::format("{} takes {}: name what it takes with type_name, and say in harness/cli/shell/candidates.cpp "
-                                       "how a shell completes that",
-                                       option.names.front(), option.takes));
+    throw std::logic_error(fmt::format(
+        "{} takes {}: name what it takes with type_name, and say in harness/cli/shell/candidates.cpp "
+        "how a shell completes that",
+        option.names.front(), option.takes));
   return found->second;
 }
 

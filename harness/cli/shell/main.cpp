@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Run by the build: writes the manual and the completion of `sphverify` below FOLDER, as they are installed below share.
+// Run by the build: writes the manual and the completion of `sphverify` below FOLDER, as they are installed
+// below share.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -31,7 +32,8 @@ int main(int argc, char** argv) {
     write(folder / "man/man1/sphverify.1", sphverify::manual_page(*app));
     CLI::App const& program = *app;
     for (CLI::App const* command : program.get_subcommands({}))
-      write(folder / fmt::format("man/man1/sphverify-{}.1", command->get_name()), sphverify::manual_page(*command));
+      write(folder / fmt::format("man/man1/sphverify-{}.1", command->get_name()),
+            sphverify::manual_page(*command));
     write(folder / "bash-completion/completions/sphverify", sphverify::bash_completion(*app));
     write(folder / "zsh/site-functions/_sphverify", sphverify::zsh_completion(*app));
     return 0;

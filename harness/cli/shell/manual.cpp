@@ -80,7 +80,8 @@ std::string entry(std::string const& term, std::string const& meaning) {
   std::string text = ".TP\n" + term + "\n";
   std::istringstream lines(meaning);
   bool is_first = true;
-  for (std::string line; std::getline(lines, line); is_first = false) text += (is_first ? "" : ".br\n") + prose(line);
+  for (std::string line; std::getline(lines, line); is_first = false)
+    text += (is_first ? "" : ".br\n") + prose(line);
   return text;
 }
 
@@ -89,13 +90,15 @@ std::string term_of(OptionFacts const& option) {
   std::string text;
   for (std::string const& name : option.names) text += (text.empty() ? "" : ", ") + bold(name);
   if (option.takes.empty()) return text;
-  return text + " " + (words_of(option).empty() ? slanted(option.takes) : bold(option.takes)) + (option.is_list ? "..." : "");
+  return text + " " + (words_of(option).empty() ? slanted(option.takes) : bold(option.takes)) +
+         (option.is_list ? "..." : "");
 }
 
 std::string entries(std::string const& title, std::vector<OptionFacts> const& options) {
   if (options.empty()) return "";
   std::string text = section(title);
-  for (OptionFacts const& one : options) text += entry(term_of(one), one.says + (one.is_required && !one.is_positional ? "; required" : ""));
+  for (OptionFacts const& one : options)
+    text += entry(term_of(one), one.says + (one.is_required && !one.is_positional ? "; required" : ""));
   return text;
 }
 
@@ -142,9 +145,13 @@ std::string exit_status() {
   std::string text = section("EXIT STATUS");
   for (auto const& [status, meaning] : std::array<std::pair<int, char const*>, 4>{
            {{exit_done, "Done."},
-            {exit_gate_failed, "A gate failed; of `claims`, a claim; of `evaluate --against`, a rate. Everything was carried out."},
-            {exit_user_error, "The input is wrong: one line on standard error says file, line, column and key, what was found and "
-                              "what was expected."},
+            {exit_gate_failed,
+             "A gate failed; of `claims`, a claim; of `evaluate --against`, a rate. Everything was carried "
+             "out."},
+            {exit_user_error,
+             "The input is wrong: one line on standard error says file, line, column and key, what was found "
+             "and "
+             "what was expected."},
             {exit_program_error, "The program or the machine failed, or the program was interrupted."}}})
     text += entry(bold(std::to_string(status)), meaning);
   return text;
@@ -155,32 +162,45 @@ std::string environment() {
   std::string const rank = "Set by `mpirun`, `srun` and their like: which of how many ranks this process is.";
   std::string const job = "Set by them as well: which job it is, so that the ranks of one find each other.";
   std::vector<Described> const all{
-      {"COLUMNS", "How many columns lines of help and tables have. Otherwise as many as the terminal, or 80. At least 40."},
+      {"COLUMNS",
+       "How many columns lines of help and tables have. Otherwise as many as the terminal, or 80. At least "
+       "40."},
       {"NO_COLOR", "If it is set, and not empty, nothing is coloured."},
-      {"TERM", "On a terminal that is `dumb` nothing is coloured, and progress is said in lines, as in a log."},
+      {"TERM",
+       "On a terminal that is `dumb` nothing is coloured, and progress is said in lines, as in a log."},
       {"SOURCE_DATE_EPOCH",
-       "The date that results documents bear, in seconds since 1970, in place of the clock's; see https://reproducible-builds.org."},
-      {"SPHVERIFY_RANKS", "If it is `off`, processes that `mpirun` or `srun` started are studies of their own and share no runs."},
-      {"OMPI_COMM_WORLD_RANK, OMPI_COMM_WORLD_SIZE, PMI_RANK, PMI_SIZE, SLURM_PROCID, SLURM_STEP_NUM_TASKS", rank},
-      {"PMIX_NAMESPACE, OMPI_MCA_ess_base_jobid, PMI_JOBID, SLURM_JOB_ID, SLURM_STEP_ID, SLURM_RESTART_COUNT", job},
+       "The date that results documents bear, in seconds since 1970, in place of the clock's; see "
+       "https://reproducible-builds.org."},
+      {"SPHVERIFY_RANKS",
+       "If it is `off`, processes that `mpirun` or `srun` started are studies of their own and share no "
+       "runs."},
+      {"OMPI_COMM_WORLD_RANK, OMPI_COMM_WORLD_SIZE, PMI_RANK, PMI_SIZE, SLURM_PROCID, SLURM_STEP_NUM_TASKS",
+       rank},
+      {"PMIX_NAMESPACE, OMPI_MCA_ess_base_jobid, PMI_JOBID, SLURM_JOB_ID, SLURM_STEP_ID, SLURM_RESTART_COUNT",
+       job},
       {"TMPDIR", "The folder in which codes that a study starts are run; otherwise /tmp."},
       {"GITHUB_ACTIONS", "If it is `true`, `gate` annotates what fails."},
       {"GITHUB_STEP_SUMMARY", "The file to which `gate` appends its summary."}};
   std::string text = section("ENVIRONMENT");
   for (Described const& one : all) text += entry(bold(one.name), one.meaning);
-  return text +
-         ".PP\n" + prose("A code that a study starts finds `OMP_NUM_THREADS`, the threads that it may use, and `SPHVERIFY_RUN`, by "
-                         "which what it leaves running is found and ended.");
+  return text + ".PP\n" +
+         prose(
+             "A code that a study starts finds `OMP_NUM_THREADS`, the threads that it may use, and "
+             "`SPHVERIFY_RUN`, by "
+             "which what it leaves running is found and ended.");
 }
 
 std::string files() {
   std::vector<Described> const all{
-      {"RESULTS.json.journal", "The finished runs of a study, until its results are written; `study --resume` takes it up."},
+      {"RESULTS.json.journal",
+       "The finished runs of a study, until its results are written; `study --resume` takes it up."},
       {"RESULTS.json.journal.old", "What a study found there that started afresh."},
       {"RESULTS.json.ranks", "Where the ranks of a study meet while it runs."},
-      {"FILE.case.json", "Beside the particles that `particles` writes: domain, walls, times and parameters of the case."},
+      {"FILE.case.json",
+       "Beside the particles that `particles` writes: domain, walls, times and parameters of the case."},
       {"PREFIX/share/sphverify/studies, PREFIX/share/sphverify/schema",
-       "Ready-made studies, and the schemas of all documents, with every key explained. PREFIX is where the program was installed."}};
+       "Ready-made studies, and the schemas of all documents, with every key explained. PREFIX is where the "
+       "program was installed."}};
   std::string text = section("FILES");
   for (Described const& one : all) text += entry(slanted(one.name), one.meaning);
   return text;
@@ -210,18 +230,22 @@ std::string see_also(std::vector<std::string> const& pages) {
 }
 
 std::string page_of_program(CLI::App const& app) {
-  std::string text = head("sphverify", "find out which formulation of smoothed particle hydrodynamics to trust");
+  std::string text =
+      head("sphverify", "find out which formulation of smoothed particle hydrodynamics to trust");
   text += synopsis(app, "sphverify");
   text += section("DESCRIPTION") + prose(app.get_description());
-  text += ".PP\n" + prose("A `study` runs every combination of cases, formulations and resolutions that a JSON document names, and "
-                          "writes one results document; `compare` and `report` show it, `gate` judges it.");
+  text += ".PP\n" + prose(
+                        "A `study` runs every combination of cases, formulations and resolutions that a JSON "
+                        "document names, and "
+                        "writes one results document; `compare` and `report` show it, `gate` judges it.");
   text += section("COMMANDS");
   std::vector<std::string> pages;
   for (CLI::App const* command : app.get_subcommands({})) {
     text += entry(bold(command->get_name()), command->get_description());
     pages.push_back("sphverify-" + command->get_name());
   }
-  text += entries("OPTIONS", options_of(app)) + exit_status() + environment() + files() + examples(footer_of(app).examples);
+  text += entries("OPTIONS", options_of(app)) + exit_status() + environment() + files() +
+          examples(footer_of(app).examples);
   return text + see_also(pages);
 }
 
@@ -232,7 +256,8 @@ std::string page_of_command(CLI::App const& command) {
   Footer const footer = footer_of(command);
   std::string text = head("sphverify-" + name, says) + synopsis(command, "sphverify " + name);
   if (!footer.notes.empty()) text += section("DESCRIPTION") + paragraphs(footer.notes);
-  text += entries("ARGUMENTS", arguments_of(command)) + entries("OPTIONS", options_of(command)) + exit_status() + examples(footer.examples);
+  text += entries("ARGUMENTS", arguments_of(command)) + entries("OPTIONS", options_of(command)) +
+          exit_status() + examples(footer.examples);
   return text + see_also({"sphverify"});
 }
 

@@ -80,10 +80,13 @@ std::string message_of(OptionFacts const& option) {
 /// The argument of _arguments for an option.
 std::string specification(OptionFacts const& option) {
   std::string const names = fmt::format("{}", fmt::join(option.names, ","));
-  std::string const value = option.takes.empty() ? "" : fmt::format(":{}:{}", message_of(option), action_of(option));
+  std::string const value =
+      option.takes.empty() ? "" : fmt::format(":{}:{}", message_of(option), action_of(option));
   bool const ends = option.names.back() == "--help" || option.names.back() == "--version";
   bool const repeats = option.is_list || option.may_be_repeated;
-  std::string const others = ends ? "(- *)" : repeats ? "" : fmt::format("({})", fmt::join(option.names, " "));
+  std::string const others = ends      ? "(- *)"
+                             : repeats ? ""
+                                       : fmt::format("({})", fmt::join(option.names, " "));
   std::string const spelt = option.names.size() > 1 ? fmt::format("'{{{}}}'", names) : names;
   return fmt::format("'{}{}{}[{}]{}'", others, repeats ? "*" : "", spelt, escaped(option.says), value);
 }
@@ -108,8 +111,11 @@ std::string zsh_completion(CLI::App const& app) {
     cases += fmt::format("    {})\n{}      ;;\n", command->get_name(), arguments(*command));
   }
   std::string text = head;
-  text += "_sphverify_commands() {\n  local -a commands=(\n" + commands + "  )\n  _describe -t commands command commands\n}\n\n";
-  text += "_sphverify() {\n  local program=${words[1]/#\\~\\//$HOME/} curcontext=$curcontext state state_descr line\n  typeset -A opt_args\n  _arguments -C";
+  text += "_sphverify_commands() {\n  local -a commands=(\n" + commands +
+          "  )\n  _describe -t commands command commands\n}\n\n";
+  text +=
+      "_sphverify() {\n  local program=${words[1]/#\\~\\//$HOME/} curcontext=$curcontext state state_descr "
+      "line\n  typeset -A opt_args\n  _arguments -C";
   for (OptionFacts const& one : options_of(app)) text += " \\\n    " + specification(one);
   text += " \\\n    '1: :_sphverify_commands' '*:: :->rest' && return\n";
   text += "  case $line[1] in\n" + cases + "  esac\n}\n\n_sphverify \"$@\"\n";

@@ -9,6 +9,7 @@
 
 #include "formulations/basics/parallel.hpp"
 #include "formulations/sweep/approach.hpp"
+#include "harness/scene/kernel_damping.hpp"
 
 // How long a step may be, and what must not happen within one.
 
@@ -39,6 +40,8 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   SmoothingLength const h(particles_);
   auto const& c = particles_.scalar(Field::sound_speed);
   auto const& v = particles_.vector(Field::velocity);
+  // Monaghan's 0.6 is for the cubic spline. A kernel that damps faster wants shorter steps in proportion.
+  double const drag_factor = 0.6 * std::max(1.0, damping_over_cubic_spline(particles_.kernel()));
   Limits limit = joined_blocks(
       particles_.size(), threads_, none,
       [&](std::size_t begin, std::size_t end) {
@@ -49,7 +52,7 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
           if (is_on(viscosity_)) {
             double const mu = viscous_.largest_mu[i];
             double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + law.quadratic() * mu; }, viscosity_);
-            part.viscosity = std::min(part.viscosity, h(i) / (c[i] + 0.6 * drag));
+            part.viscosity = std::min(part.viscosity, h(i) / (c[i] + drag_factor * drag));
             if (!geometry().neighbours.slope.empty()) part.viscosity = std::min(part.viscosity, viscous_step_of_weights(i, mu));
           }
           if (conduction_operator_) part.conduction = std::min(part.conduction, conduction_step(i));

@@ -42,15 +42,15 @@ std::string count_text(int n, SummaryRow const& row) {
   return n == 0 ? "0" : fmt::format("{}/{}", n, row.ladders.size());
 }
 
-struct Column {
+struct SummaryColumn {
   char const* name;
   std::function<bool(SummaryRow const&)> has;
   std::function<std::string(SummaryRow const&)> text;
   bool of_controls = true;  ///< shown of controls too
 };
 
-std::vector<Column> const& columns() {
-  static std::vector<Column> const all{
+std::vector<SummaryColumn> const& columns() {
+  static std::vector<SummaryColumn> const all{
       {"error", [](SummaryRow const& r) { return r.error.has_value(); },
        [](SummaryRow const& r) { return scientific(r.error); }},
       {"order", [](SummaryRow const&) { return true; }, order_text},
@@ -101,8 +101,8 @@ TextTable summary_table(SummaryGroup const& group, bool controls) {
   table.note_name = "setting";
   std::string const shared = shared_setting(group);
   if (!controls && !shared.empty()) table.title = "All at " + shared;
-  std::vector<Column const*> shown;
-  for (Column const& column : columns()) {
+  std::vector<SummaryColumn const*> shown;
+  for (SummaryColumn const& column : columns()) {
     if (controls && !column.of_controls) continue;
     if (std::none_of(rows.begin(), rows.end(), [&](SummaryRow const* row) { return column.has(*row); }))
       continue;
@@ -112,7 +112,7 @@ TextTable summary_table(SummaryGroup const& group, bool controls) {
   for (SummaryRow const* row : rows) {
     auto& cells = table.rows.emplace_back(std::vector{row->name});
     if (several) cells.push_back(row->setting.document);
-    for (Column const* column : shown) cells.push_back(column->text(*row));
+    for (SummaryColumn const* column : shown) cells.push_back(column->text(*row));
     table.notes.push_back(setting_text(*row) == shared ? "" : setting_text(*row));
   }
   if (std::all_of(table.notes.begin(), table.notes.end(), [](auto const& note) { return note.empty(); }))

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "harness/scene/kernel_damping.hpp"
+
+#include <array>
+#include <boost/math/quadrature/gauss.hpp>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <numbers>
+
+#include "formulations/kernels/kernel.hpp"
+
+namespace sphverify {
+
+namespace {
+
+/// h^2 int |dW/dr|/r dV, piece by piece of the kernel's polynomials.
+double damping(Kernel const& kernel) {
+  int const dimension = kernel.dimension();
+  double const sphere = std::array{2.0, 2.0 * std::numbers::pi, 4.0 * std::numbers::pi}[static_cast<std::size_t>(dimension - 1)];
+  auto const shell = [&](double r) { return -sphere * std::pow(r, dimension - 1) * kernel.radial(r, 1.0); };
+  std::vector<double> ends = kernel.knots();
+  ends.push_back(kernel.info().support_ratio);
+  double sum = 0.0, from = 0.0;
+  for (double const to : ends) {
+    sum += boost::math::quadrature::gauss<double, 30>::integrate(shell, from, to);
+    from = to;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double damping_over_cubic_spline(Kernel const& kernel) {
+  static std::mutex mutex;
+  static std::map<Kernel const*, double> known;  // kernels live as long as the program
+  std::scoped_lock const lock(mutex);
+  auto const [place, is_new] = known.try_emplace(&kernel, 0.0);
+  if (is_new) place->second = damping(kernel) / damping(sphverify::kernel("cubic-spline", kernel.dimension()));
+  return place->second;
+}
+
+}  // namespace sphverify

@@ -49,6 +49,7 @@ class Results(ProgramTest):
             (("series", 0, "time_to_error", 0, "error"), "series[0].time_to_error[0].error"),
         ):
             self.refuse(path, -0.1, place, "0 or more")
+        self.refuse(("runs", 0, "spacing"), 0, "runs[0].spacing", "a positive number, where there are errors")
         self.refuse(("runs", 0, "discretisation", "smoothing_ratio"), -1, "runs[0].discretisation.smoothing_ratio")
 
     def test_norms_out_of_order_are_refused(self):
@@ -60,6 +61,11 @@ class Results(ProgramTest):
         self.refuse((*ORDER, "interval"), [2, 1], "series[0].orders[0].interval", "[2,1]", "the lower end first")
         floor = {"value": 1e-3, "interval": [2e-3, 1e-3]}
         self.refuse((*ORDER, "floor"), floor, "series[0].orders[0].floor.interval", "the lower end first")
+
+    def test_momenta_in_more_than_three_dimensions_are_refused_at_once(self):
+        run = self.results["runs"][0]["conservation"]["energy"]
+        momentum = {key: [0.0] * 20_000 for key in run}
+        self.refuse(("runs", 0, "conservation", "momentum"), momentum, "runs[0].conservation.momentum.initial", "one number per dimension")
 
     def test_a_verdict_that_there_is_not_is_refused(self):
         self.refuse((*ORDER, "verdict"), "splendid", "series[0].orders[0].verdict", "asymptotic")

@@ -60,6 +60,8 @@ def at(document, path):
 
 def changed(document, draw):
     """One change of structure."""
+    if not places(document):
+        return draw.choice(VALUES)
     document = copy.deepcopy(document)
     path = draw.choice(places(document))
     parent, key = at(document, path[:-1]), path[-1]

@@ -143,7 +143,7 @@ std::vector<std::size_t> read_chosen_runs(Node const& node) {
 
 /// All combinations are held in memory, those that make no sense among them.
 void require_few(Study const& study, Node const& document) {
-  constexpr double most = 100'000.0;
+  constexpr double most = 200'000.0;
   double combinations = 1.0;
   for (std::size_t const choices :
        {study.cases.size(), study.formulations.size(), study.kernels.size(), study.pair_weights.size(), study.densities.size(),

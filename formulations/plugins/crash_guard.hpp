@@ -4,7 +4,7 @@
 namespace sphverify {
 
 /// While one of these lives, a signal by which a process dies, or an exit, ends the program with one line on standard error
-/// that says which plug-in this thread was in, and exit status 3. What it names must live longer.
+/// that says which plug-in, or which library of others, this thread was in, and exit status 3. What it names must live longer.
 class CrashGuard {
  public:
   /// @param plugin, library as the line names them

@@ -3,6 +3,7 @@
 
 #include <set>
 
+#include "reports/json/parse.hpp"
 #include "reports/listed_identifiers.hpp"
 #include "reports/user_error.hpp"
 
@@ -11,10 +12,7 @@ namespace sphverify {
 namespace {
 
 /// VALUE is JSON, or a bare word.
-Json parse_value(std::string const& text) {
-  Json const parsed = Json::parse(text, nullptr, false);
-  return parsed.is_discarded() ? Json(text) : parsed;
-}
+Json parse_value(std::string const& text) { return parse_json(text).value_or(Json(text)); }
 
 }  // namespace
 

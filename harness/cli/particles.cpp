@@ -16,6 +16,7 @@
 #include "harness/study/read_case.hpp"
 #include "harness/study/read_envelope.hpp"
 #include "harness/study/read_layout.hpp"
+#include "reports/json/parse.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -32,8 +33,8 @@ struct ParticlesCommand {
 constexpr double bytes_per_particle = 400.0;  // of all columns, and the text that they become
 
 LayoutChoice layout_named(std::string const& text) {
-  Json const parsed = Json::parse(text, nullptr, false);
-  Json const value = parsed.is_object() ? parsed : Json(text);
+  auto const parsed = parse_json(text);
+  Json const value = parsed && parsed->is_object() ? *parsed : Json(text);
   auto const layouts = read_layout(Node(value, "particles", "--layout"));
   if (layouts.size() > 1) throw UserError("particles", "--layout", "several seeds", "one");
   return layouts.front();

@@ -35,38 +35,37 @@ Json used_parameters(RunRecord const& run) {
 }
 
 /// The study whose last run is the one, measured and bounded as the whole was.
-Study study_of(Results const& results, RunRecord const& run, std::string const& file) {
-  Json const whole = Json::parse(results.study);
+Study study_of(Node const& whole, RunRecord const& run) {
   Json const record = to_json(run);
   Json formulation = {{"id", record.at("formulation")}, {"walls", record.at("walls")}};
   for (char const* partner : {"work", "conduction"}) {
     if (!record.at(partner).is_null()) formulation[partner] = record.at(partner);
   }
-  for (Json const& one : whole.at("formulations")) {
+  for (Node const& one : whole.at("formulations").one_or_many()) {
     // A code that is not ours is what the study says of it.
-    if (is_external(run.formulation.id) && one.is_object() && one.at("id") == run.formulation.id) formulation = one;
+    if (is_external(run.formulation.id) && one.is_object() && one.at("id").json() == run.formulation.id) formulation = one.json();
   }
   Json discretisation = record.at("discretisation");
   for (auto it = discretisation.begin(); it != discretisation.end();) {
     it = it->is_null() ? discretisation.erase(it) : std::next(it);
   }
   // The refinement path starts at the study's coarsest level, which stands beside the run.
-  Json resolutions = Json::array({whole.at("resolution").front()});
+  Json resolutions = Json::array({whole.at("resolution").one_or_many().front().json()});
   if (resolutions.front() != run.resolution) resolutions.push_back(run.resolution);
   Json document = {
       {"schema", "sphverify-study/1"},
-      {"name", whole.at("name")},
+      {"name", whole.at("name").json()},
       {"cases", Json::array({{{"id", record.at("case")}, {"parameters", used_parameters(run)}}})},
       {"formulations", Json::array({formulation})},
       {"discretisation", discretisation},
       {"resolution", resolutions},
       {"smoothing_exponent", run.smoothing_exponent},
-      {"measure", whole.at("measure")},
-      {"threads", whole.at("threads")},
-      {"repeat", whole.at("repeat")},
-      {"time_budget", whole.at("time_budget")}};
-  if (whole.contains("plugins")) document["plugins"] = whole.at("plugins");
-  Node const node(document, file);
+      {"measure", whole.at("measure").json()},
+      {"threads", whole.at("threads").json()},
+      {"repeat", whole.at("repeat").json()},
+      {"time_budget", whole.at("time_budget").json()}};
+  if (auto const plugins = whole.find("plugins")) document["plugins"] = plugins->json();
+  Node const node(document, whole.file());
   Study study = read_study(node);
   require_memory(study, node);
   return study;
@@ -81,10 +80,13 @@ void repeat(RepeatCommand const& command) {
     throw UserError(command.document, "RUN", std::to_string(command.run),
                     fmt::format("an index from 0 to {}", results.runs.size() - 1));
   }
-  if (Json::parse(results.study).at("schema") != "sphverify-study/1")
+  Json const of_all = Json::parse(results.study);
+  Node const whole(of_all, command.document, "study");
+  if (whole.at("schema").json() == "sphverify-snapshots/1")
     throw UserError(command.document, "study", "snapshots of another code", "a study, whose runs can be carried out again");
+  whole.require_schema("sphverify-study/1");
   RunRecord const& before = results.runs[static_cast<std::size_t>(command.run)];
-  Study const study = study_of(results, before, command.document);
+  Study const study = study_of(whole, before);
   Expansion const expansion = expand(study);
   if (expansion.runs.empty()) {
     throw UserError(command.document + ": run " + std::to_string(command.run) + ": " +

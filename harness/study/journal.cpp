@@ -14,6 +14,7 @@
 
 #include "harness/study/fingerprint.hpp"
 #include "harness/study/same_run.hpp"
+#include "reports/json/parse.hpp"
 #include "reports/json/results_json.hpp"
 
 namespace sphverify {
@@ -62,22 +63,20 @@ Journal::Journal(std::string path, Json const& study, bool resume) : path_(std::
   }
   for (std::size_t start = 0; start < text.size();) {
     std::size_t const end = text.find('\n', start);
-    Json const line = Json::parse(text.substr(start, end - start), nullptr, false);
-    if (start == 0 && (line.is_discarded() || !line.is_object() || line.value("schema", "") != schema)) {
-      throw UserError(path_, "", "something else", "the journal of a study");
-    }
-    if (start == 0 && (!line.contains("study") || line.at("study") != study)) {
+    auto const parsed = parse_json(std::string_view(text).substr(start, end - start));
+    if (start > 0 && !parsed) throw UserError(path_, "", "a damaged line", "one finished run");
+    Json const line = parsed.value_or(Json());
+    auto const says = [&](char const* key, Json const& value) { return line.contains(key) && line.at(key) == value; };
+    if (start == 0 && !says("schema", schema)) throw UserError(path_, "", "something else", "the journal of a study");
+    if (start == 0 && !says("study", study)) {
       throw UserError(path_, "study", "the journal of another study",
                       "this one's: resume with the same document and part, or without --resume to start afresh");
     }
-    if (start == 0 && line.value("build", "") != build) {
+    if (start == 0 && !says("build", build)) {
       throw UserError(path_, "build", "the journal of another build of the program or of a plug-in",
                       "this one's: finish it with the build that began it, or start afresh without --resume");
     }
-    if (start > 0) {
-      if (line.is_discarded()) throw UserError(path_, "", "a damaged line", "one finished run");
-      read_line(line);
-    }
+    if (start > 0) read_line(line);
     start = end + 1;
   }
   if (ftruncate(file_, static_cast<off_t>(text.size())) != 0 || lseek(file_, 0, SEEK_END) < 0) {
@@ -100,7 +99,7 @@ void Journal::read_line(Json const& line) {
   }
   RunRecord record = read_run(node.at("record"));
   if (auto const awaits = node.find("awaits_timing"); awaits && awaits->boolean()) {
-    awaiting_[index] = {std::move(record), true, node.at("spent_seconds").number()};
+    awaiting_[index] = {std::move(record), true, node.at("spent_seconds").number_between(0.0, 1e100)};
   } else {
     finished_[index] = std::move(record);
   }

@@ -141,6 +141,21 @@ std::vector<std::size_t> read_chosen_runs(Node const& node) {
   return runs;
 }
 
+/// All combinations are held in memory, those that make no sense among them.
+void require_few(Study const& study, Node const& document) {
+  constexpr double most = 200'000.0;
+  double combinations = 1.0;
+  for (std::size_t const choices :
+       {study.cases.size(), study.formulations.size(), study.kernels.size(), study.pair_weights.size(), study.densities.size(),
+        study.face_weights.size(), study.closures.size(), study.integrators.size(), study.smoothings.size(),
+        study.wall_motions.size(), study.viscosities.size(), study.smoothing_ratios.size(), study.layouts.size(),
+        study.smoothing_exponents.size(), study.resolutions.size()})
+    combinations *= static_cast<double>(choices);
+  if (combinations > most)
+    throw UserError(document.file(), "", fmt::format("lists of {:.3g} combinations", combinations),
+                    fmt::format("at most {:.0f}: several studies, which `compare` takes together", most));
+}
+
 /// Whether a formulation is a code that the study runs.
 bool names_external(Node const& node) {
   if (node.is_string()) {
@@ -279,6 +294,7 @@ Study read_study(Node const& document) {
   if (auto const node = document.find("time_budget")) study.time_budget = node->positive_number();
   if (auto const node = document.find("envelope")) study.envelope = read_envelope(*node, study);
   if (auto const node = document.find("runs")) study.runs = read_chosen_runs(*node);
+  require_few(study, document);
   return study;
 }
 

@@ -9,8 +9,10 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <limits>
 
 #include "reports/json/case_number.hpp"
+#include "reports/json/parse.hpp"
 #include "reports/json/places.hpp"
 #include "reports/json/syntax.hpp"
 #include "reports/printable.hpp"
@@ -47,6 +49,12 @@ Json parse_json(std::string const& text, std::string const& path) {
 }
 
 Json read_json_file(std::string const& path) { return parse_json(read_file(path), path); }
+
+std::optional<Json> parse_json(std::string_view text) {
+  if (find_syntax_error(text)) return std::nullopt;
+  Json json = Json::parse(text, nullptr, false);
+  return json.is_discarded() ? std::nullopt : std::optional(std::move(json));
+}
 
 std::string Node::describe() const {
   std::string text = value_->dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -141,12 +149,16 @@ double Node::number_between(double lowest, double highest) const {
 std::int64_t Node::integer(std::int64_t lowest, std::int64_t highest) const {
   auto const expected = [&] { return fmt::format("a whole number from {} to {}", lowest, highest); };
   if (!value_->is_number()) complain(expected());
+  // What an integer of 64 bits cannot hold is beyond every end.
+  constexpr double too_large = 0x1p63;
   double const as_double = number();
-  if (as_double != std::floor(as_double) || as_double < static_cast<double>(lowest) ||
-      as_double > static_cast<double>(highest)) {
-    complain(expected());
-  }
-  return value_->is_number_float() ? static_cast<std::int64_t>(as_double) : value_->get<std::int64_t>();
+  bool const fits = value_->is_number_unsigned() ? value_->get<std::uint64_t>() <= std::numeric_limits<std::int64_t>::max()
+                    : value_->is_number_float()  ? as_double == std::floor(as_double) && as_double >= -too_large && as_double < too_large
+                                                 : true;
+  if (!fits) complain(expected());
+  std::int64_t const value = value_->is_number_float() ? static_cast<std::int64_t>(as_double) : value_->get<std::int64_t>();
+  if (value < lowest || value > highest) complain(expected());
+  return value;
 }
 
 bool Node::boolean() const {

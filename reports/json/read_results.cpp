@@ -245,11 +245,14 @@ RunRecord read_run(Node const& node) {
       if (auto const allowed = e.find("allowed")) error.allowed = read_sizes(*allowed);
     }
   }
+  // Ladders are errors over spacings.
+  if (!r.errors.empty() && !(r.spacing > 0.0)) node.at("spacing").complain("a positive number, where there are errors");
   for (auto const& [quantity, b] : node.at("conservation").members()) {
     if (b.is_null()) continue;
     if (quantity == "momentum") {
-      for (std::size_t k = 0; k < b.at("initial").elements().size(); ++k)
-        r.momentum.push_back(read_component(b, k));
+      std::size_t const components = b.at("initial").elements().size();
+      if (components > 3) b.at("initial").complain("one number per dimension");
+      for (std::size_t k = 0; k < components; ++k) r.momentum.push_back(read_component(b, k));
     } else {
       r.conservation[quantity] = read_budget(b);
     }

@@ -107,6 +107,11 @@ class Studies(BadInput):
         self.refuse_study(small_study(resolution=[20, 10]), "resolution[1]: found 10", "ascending")
         self.refuse_study(small_study(resolution=[10, 10]), "resolution[1]: found 10", "ascending")
 
+    def test_more_combinations_than_anybody_can_mean_are_refused_before_they_are_made(self):
+        layout = {"id": "jittered", "amplitude": 0.1, "seeds": list(range(1, 1001))}
+        self.refuse_study(small_study(discretisation={"layout": layout, "smoothing_ratio": [1 + 0.001 * k for k in range(500)]}),
+                          "found lists of 1.5e+06 combinations, expected at most 200000")  # fmt: skip
+
     def test_what_does_not_fit_into_memory_is_refused_with_what_it_would_take(self):
         cube = small_study(cases=["conduction/cube"], resolution=[10, 100_000])
         self.refuse_study(cube, "resolution: found 100000, which on conduction/cube is 1e+15 particles", "GB, expected")

@@ -254,7 +254,14 @@ class Snapshots(Codes):
             layout = h5py.VirtualLayout((16,), "f8")
             layout[:] = h5py.VirtualSource("ours.hdf5", "T", shape=(16,))
             file.create_virtual_dataset("T", layout)
-        self.refused(entry, "a part of itself")
+        self.refused(entry, "a virtual data set of virtual ones")
+        for name in ("ours.hdf5", "other.hdf5"):  # parts of each other
+            with self.ours() as file, h5py.File(self.folder / "other.hdf5", "w") as other:
+                for one, of, part, of_part in ((file, "T", "other", name), (file if name == "ours.hdf5" else other, "other", "T", "ours.hdf5")):
+                    layout = h5py.VirtualLayout((16,), "f8")
+                    layout[:] = h5py.VirtualSource(of_part, part, shape=(16,))
+                    one.create_virtual_dataset(of, layout)
+            self.refused(entry, "a virtual data set of virtual ones")
         with self.ours() as file:
             file.create_dataset("T", (16,), "f8", external=[("/dev/urandom", 0, 128)])
         self.refused(entry, "T", "in another file")

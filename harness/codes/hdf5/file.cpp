@@ -106,18 +106,23 @@ namespace {
 constexpr double bytes_per_number = 24.0;     // as read, by column, and where it is used
 constexpr double half_rounding = 0x1p-11;
 
-/// Of a virtual data set whose parts are itself the library never comes to an end.
-bool is_part_of_itself(hid_t properties, std::string const& path, std::string const& place) {
+bool is_virtual(hid_t file, char const* place) {
+  Set const set(H5Dopen2(file, place, H5P_DEFAULT));
+  if (!set.is_open()) return false;
+  return H5Pget_layout(Properties(H5Dget_create_plist(set))) == H5D_VIRTUAL;
+}
+
+/// Where virtual data sets are parts of each other, or one of itself, the library never comes to an end.
+bool has_virtual_part(hid_t file, hid_t properties, std::filesystem::path const& path) {
   std::size_t parts = 0;
   if (H5Pget_virtual_count(properties, &parts) < 0) return false;
-  std::string const name = std::filesystem::path(path).filename().string();
   for (std::size_t k = 0; k < parts; ++k) {
-    std::array<char, 4096> file{}, set{};
-    H5Pget_virtual_filename(properties, k, file.data(), file.size());
+    std::array<char, 4096> name{}, set{};
+    H5Pget_virtual_filename(properties, k, name.data(), name.size());
     H5Pget_virtual_dsetname(properties, k, set.data(), set.size());
-    bool const is_same_file = std::string_view(file.data()) == "." || std::filesystem::path(file.data()).filename() == name;
-    auto const from_root = [](std::string_view name_of_set) { return name_of_set.substr(std::min(name_of_set.find_first_not_of('/'), name_of_set.size())); };
-    if (is_same_file && from_root(set.data()) == from_root(place)) return true;
+    bool const is_same_file = std::string_view(name.data()) == "." || path.filename() == name.data();
+    Handle<H5Fclose> const other(is_same_file ? -1 : H5Fopen((path.parent_path() / name.data()).c_str(), H5F_ACC_RDONLY, H5P_DEFAULT));
+    if (is_virtual(is_same_file ? file : static_cast<hid_t>(other), set.data())) return true;
   }
   return false;
 }
@@ -128,12 +133,12 @@ bool is_part_of_itself(hid_t properties, std::string const& path, std::string co
 void InputFile::require_own_storage(hid_t set, std::string const& place) const {
   Properties const properties(H5Dget_create_plist(set));
   bool const is_raw = H5Pget_external_count(properties) > 0;
-  bool const is_circular = H5Pget_layout(properties) == H5D_VIRTUAL && is_part_of_itself(properties, path_, place);
+  bool const is_nested = H5Pget_layout(properties) == H5D_VIRTUAL && has_virtual_part(file_, properties, path_);
   H5L_info_t link{};
   bool const is_elsewhere =
       H5Lget_info(file_, place.c_str(), &link, H5P_DEFAULT) >= 0 && link.type == H5L_TYPE_EXTERNAL;
   if (is_raw || is_elsewhere) throw UserError(path_, place, "numbers in another file", "numbers in this one");
-  if (is_circular) throw UserError(path_, place, "a virtual data set that is a part of itself", "numbers");
+  if (is_nested) throw UserError(path_, place, "a virtual data set of virtual ones", "one whose parts hold numbers");
 }
 
 DataSet InputFile::read(std::string const& place) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <mutex>
 
+#include "formulations/plugins/crash_guard.hpp"
 #include "harness/codes/hdf5.hpp"
 #include "harness/codes/hdf5/file.hpp"
 #include "reports/user_error.hpp"
@@ -186,6 +187,8 @@ bool can_read_hdf5() { return true; }
 
 Snapshot read_hdf5_snapshot(std::string const& path, SnapshotOptions const& options) {
   std::scoped_lock const lock(hdf5::library());
+  // Of some damaged files the library makes addresses.
+  CrashGuard const guard("the HDF5 library", path.c_str());
   InputFile const file(path);
   Snapshot snapshot{.file = path, .format = options.format == "auto" ? format_of(file) : options.format};
   if (options.format == "auto") snapshot.remarks.push_back("taken for the format " + snapshot.format);

@@ -2,7 +2,9 @@
 #include "reports/json/node.hpp"
 
 #include <boost/test/unit_test.hpp>
+#include <limits>
 
+#include "reports/json/parse.hpp"
 #include "tests/support/documents.hpp"
 
 BOOST_AUTO_TEST_SUITE(reports_json_node)
@@ -55,6 +57,26 @@ BOOST_AUTO_TEST_CASE(whole_numbers_are_checked_for_kind_and_range) {
   BOOST_TEST(at(1).integer(0, 10) == 1);
   for (std::size_t const i : {2u, 3u, 4u, 5u, 7u}) BOOST_CHECK_THROW(at(i).integer(0, 10), UserError);
   BOOST_TEST(at(6).integer(0, std::int64_t{1} << 60) == 9007199254740993);
+}
+
+BOOST_AUTO_TEST_CASE(whole_numbers_of_64_bits_end_where_these_do) {
+  constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(), most = std::numeric_limits<std::int64_t>::max();
+  Json const json = Json::parse("[9223372036854775807, -9223372036854775808, -9223372036854775808.0, 9223372036854775808, "
+                                "9223372036854775808.0, 18446744073709551615, 9223372036854774784.0]");
+  auto const at = [&](std::size_t i) { return Node(json[i], "f", "k"); };
+  BOOST_TEST(at(0).integer(least, most) == most);
+  BOOST_TEST(at(1).integer(least, most) == least);
+  BOOST_TEST(at(2).integer(least, most) == least);
+  for (std::size_t const i : {3u, 4u, 5u}) BOOST_CHECK_THROW(at(i).integer(least, most), UserError);
+  BOOST_TEST(at(6).integer(least, most) == most - 1023);
+}
+
+BOOST_AUTO_TEST_CASE(texts_are_json_where_files_would_be) {
+  BOOST_TEST((parse_json(R"({"a": [1]})") == Json{{"a", {1}}}));
+  std::string const deep(100000, '[');
+  for (std::string const& text : {std::string("word"), std::string(R"({"a": 1, "a": 2})"), std::string(), deep,
+                                  deep + std::string(deep.size(), ']')})
+    BOOST_TEST(!parse_json(text).has_value());
 }
 
 BOOST_AUTO_TEST_CASE(other_reads_take_what_they_say_and_nothing_else) {

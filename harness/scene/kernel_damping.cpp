@@ -14,8 +14,8 @@ namespace sphverify {
 
 namespace {
 
-/// h^2 int |dW/dr|/r dV, piece by piece of the kernel's polynomials.
-double damping(Kernel const& kernel) {
+/// Piece by piece of the kernel's polynomials.
+double integral(Kernel const& kernel) {
   int const dimension = kernel.dimension();
   double const sphere = std::array{2.0, 2.0 * std::numbers::pi, 4.0 * std::numbers::pi}[static_cast<std::size_t>(dimension - 1)];
   auto const shell = [&](double r) { return -sphere * std::pow(r, dimension - 1) * kernel.radial(r, 1.0); };
@@ -31,12 +31,12 @@ double damping(Kernel const& kernel) {
 
 }  // namespace
 
-double damping_over_cubic_spline(Kernel const& kernel) {
+double kernel_damping(Kernel const& kernel) {
   static std::mutex mutex;
   static std::map<Kernel const*, double> known;  // kernels live as long as the program
   std::scoped_lock const lock(mutex);
   auto const [place, is_new] = known.try_emplace(&kernel, 0.0);
-  if (is_new) place->second = damping(kernel) / damping(sphverify::kernel("cubic-spline", kernel.dimension()));
+  if (is_new) place->second = integral(kernel);
   return place->second;
 }
 

@@ -5,9 +5,9 @@ namespace sphverify {
 
 class Kernel;
 
-/// How fast viscosity between the particles of this kernel damps the velocity of one beside the others', as a multiple of
-/// what the cubic spline does at the same h: the rate is a/h times the kernel's h^2 int |dW/dr|/r dV, with a the viscosity's
-/// alpha c + beta mu, and does not depend on the number of neighbours.
-double damping_over_cubic_spline(Kernel const& kernel);
+/// h^2 int |dW/dr|/r dV, of the cubic spline 2.77, 20/7 and 3 in one to three dimensions. Viscosity whose pressure over density
+/// grows as a mu damps a particle's velocity beside that of the others at a/h times this, whatever the number of neighbours, and
+/// particles against each other at up to twice that (Gershgorin): an explicit step is stable up to h over a times this.  [1]
+double kernel_damping(Kernel const& kernel);
 
 }  // namespace sphverify

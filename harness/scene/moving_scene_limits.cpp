@@ -40,8 +40,7 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
   SmoothingLength const h(particles_);
   auto const& c = particles_.scalar(Field::sound_speed);
   auto const& v = particles_.vector(Field::velocity);
-  // Monaghan's 0.6 is for the cubic spline. A kernel that damps faster wants shorter steps in proportion.
-  double const drag_factor = 0.6 * std::max(1.0, damping_over_cubic_spline(particles_.kernel()));
+  double const damping = kernel_damping(particles_.kernel());
   Limits limit = joined_blocks(
       particles_.size(), threads_, none,
       [&](std::size_t begin, std::size_t end) {
@@ -51,8 +50,10 @@ std::vector<StepLimit> MovingScene<Dim>::step_limits() const {
           part.force = std::min(part.force, std::sqrt(h(i) / acceleration_[i].norm()));
           if (is_on(viscosity_)) {
             double const mu = viscous_.largest_mu[i];
-            double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + law.quadratic() * mu; }, viscosity_);
-            part.viscosity = std::min(part.viscosity, h(i) / (c[i] + drag_factor * drag));
+            // What of the viscous pressure over density changes with mu, so that h/(damping drag) is where an explicit step
+            // would turn stable damping into growth; of one that damps alone that is the step.
+            double const drag = std::visit([&](auto const& law) { return law.linear() * c[i] + 2.0 * law.quadratic() * mu; }, viscosity_);
+            part.viscosity = std::min(part.viscosity, h(i) / (c[i] + courant_number * damping * drag));
             if (!geometry().neighbours.slope.empty()) part.viscosity = std::min(part.viscosity, viscous_step_of_weights(i, mu));
           }
           if (conduction_operator_) part.conduction = std::min(part.conduction, conduction_step(i));

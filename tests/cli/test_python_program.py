@@ -45,7 +45,7 @@ class Studies(ProgramTest):
         study = small_study(measure=["error"])
         of_dict, shown = self.run_quietly(study)
         self.assertEqual(shown.splitlines()[0], "3 runs")
-        self.assertRegex(shown.splitlines()[-1], "^3/3 runs, ")
+        self.assertRegex(shown.splitlines()[-1], r"^3/3 runs \(100%\), ")
         self.assertEqual(repr(of_dict), "<small: 3 runs (3 ok), 1 series>")
         output = self.folder / "out.json"
         of_path, _ = self.run_quietly(self.write("study.json", study), output, jobs=1)

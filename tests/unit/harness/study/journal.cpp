@@ -22,6 +22,7 @@ RunRecord record(std::string const& label) {
   run.formulation.id = "conduction/brookshaw";
   run.label = label;
   run.resolution = 25;
+  run.spacing = 0.04;
   run.errors["temperature"]["all"] = {{0.1, 0.2, 1.0 / 3.0}, {1.0, 1.0, 1.0}, 1e-14};
   return run;
 }

@@ -7,6 +7,7 @@
 #include <map>
 #include <mutex>
 #include <numbers>
+#include <vector>
 
 #include "formulations/kernels/kernel.hpp"
 
@@ -18,7 +19,7 @@ namespace {
 double integral(Kernel const& kernel) {
   int const dimension = kernel.dimension();
   double const sphere = std::array{2.0, 2.0 * std::numbers::pi, 4.0 * std::numbers::pi}[static_cast<std::size_t>(dimension - 1)];
-  auto const shell = [&](double r) { return -sphere * std::pow(r, dimension - 1) * kernel.radial(r, 1.0); };
+  auto const shell = [&](double r) { return sphere * std::pow(r, dimension - 1) * std::abs(kernel.radial(r, 1.0)); };
   std::vector<double> ends = kernel.knots();
   ends.push_back(kernel.info().support_ratio);
   double sum = 0.0, from = 0.0;
